@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/base/bytes.h"
+#include "core/framing/bit_field.h"
+#include "core/thunderbots/wire/wire_error.h"
+
+namespace kickstand::thunderbots::wire {
+
+/// What the bits of a field are.
+enum class FieldKind : std::uint8_t {
+    Flag,  ///< One bit.
+    Unsigned,
+    Signed,    ///< Two's complement.
+    Opcode,    ///< The one value (`lowest`) by which the kind of message is known.
+    Length,    ///< A byte that counts the message it stands in, itself included.
+    Bytes,     ///< The rest of the message: `lowest` to `highest` bytes.
+    Reserved,  ///< Written as zero, ignored when read, shown when it is not zero.
+};
+
+/// How a raw number is shown: factor × raw + offset, in `unit`. No unit: the number stands for itself.
+struct FieldScale {
+    double factor = 1;
+    double offset = 0;
+    const char* unit = "";
+};
+
+/// One field of a message: its name, place, range and meaning. Bits are counted as the message's order says.
+struct FieldSpec {
+    const char* name = "";
+    FieldKind kind = FieldKind::Unsigned;
+    std::uint16_t firstBit = 0;
+    std::uint8_t width = 0;  ///< Bits; 0 for Bytes.
+    std::int32_t lowest = 0;
+    std::int32_t highest = 0;
+    const char* description = "";
+    FieldScale scale = {};
+    std::span<const char* const> labels = {};  ///< Names of the values from 0 on, where they have names.
+};
+
+/// A message and all its fields, in the order they stand in. The codecs of this folder read and write through
+/// these same entries, so that there is one place that says where a bit lives.
+struct MessageSpec {
+    const char* name = "";  ///< "thunderbots.drive".
+    BitOrder order = BitOrder::LsbFirst;
+    std::uint8_t minBytes = 0;
+    std::uint8_t maxBytes = 0;
+    bool repeats = false;      ///< A list of such messages one after another (state transport packets).
+    const char* section = "";  ///< Of the protocol reference: "4.1".
+    const char* summary = "";
+    std::span<const FieldSpec> fields;
+};
+
+/// Every message of this system. The variants of one family ("thunderbots.firmware-request.erase") share the
+/// name up to the last dot and are told apart by their opcode, or by their length where they have none. Any
+/// thread.
+std::span<const MessageSpec> messages() noexcept;
+
+/// The message of that full name; null where there is none. Any thread.
+const MessageSpec* findMessage(std::string_view name) noexcept;
+
+/// The message of that full name or, for the name of a family, the variant that these bytes are; null where
+/// there is none. Any thread.
+const MessageSpec* findMessageFor(std::string_view name, ByteView bytes) noexcept;
+
+/// The number in a field that is not Bytes; the caller has checked that the message is long enough. Any
+/// thread.
+std::int32_t readField(const MessageSpec& message, const FieldSpec& field, ByteView bytes) noexcept;
+/// Writes it; values outside the field's bits lose their high bits. The caller has checked. Any thread.
+void writeField(const MessageSpec& message, const FieldSpec& field, ByteSpan bytes,
+                std::int32_t value) noexcept;
+
+}  // namespace kickstand::thunderbots::wire
