@@ -26,6 +26,7 @@ const char* name(Errc code) {
         case Errc::StopLatched: return "stop-latched";
         case Errc::NotArmed: return "not-armed";
         case Errc::RobotNotAlive: return "robot-not-alive";
+        case Errc::EmergencyStopNotRun: return "emergency-stop-not-run";
         case Errc::KickOutstanding: return "kick-outstanding";
         case Errc::KickExpired: return "kick-expired";
         case Errc::MustPassZero: return "must-pass-zero";

@@ -35,6 +35,7 @@ enum class Errc : std::uint8_t {
     StopLatched,
     NotArmed,
     RobotNotAlive,
+    EmergencyStopNotRun,
     KickOutstanding,
     KickExpired,
     MustPassZero,
