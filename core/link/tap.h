@@ -18,12 +18,12 @@ struct UsbTapRecord {
 
     Kind kind = Kind::Completed;
     TimePoint time{};
-    std::uint8_t endpoint = 0;         ///< With the direction bit; 0 for control transfers.
-    std::optional<UsbSetup> setup;     ///< For control transfers.
+    std::uint8_t endpoint = 0;        ///< With the direction bit; 0 for control transfers.
+    std::optional<UsbSetup> setup{};  ///< For control transfers.
     UsbStatus status = UsbStatus::Completed;
-    std::size_t actual = 0;            ///< Bytes that really moved.
-    ByteView data;                     ///< OUT: the bytes sent (in both records); IN: the bytes received.
-    UsbTransferId id = 0;              ///< Joins Submitted and Completed; 0 where there is nothing to join.
+    std::size_t actual = 0;  ///< Bytes that really moved.
+    ByteView data{};         ///< OUT: the bytes sent (in both records); IN: the bytes received.
+    UsbTransferId id = 0;    ///< Joins Submitted and Completed; 0 where there is nothing to join.
 };
 
 /// Watches a link. Called on the link's thread; what it needs later it copies.

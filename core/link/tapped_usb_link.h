@@ -10,12 +10,14 @@
 namespace kickstand {
 
 /// Stands around a link and shows its observers everything that passes: the model is fed by this, and so is a
-/// recording. Adds nothing to the link's behaviour; a completion is observed before its callback runs.
+/// recording. Adds nothing to the link's behaviour; a completion is observed before its callback runs. Ids of
+/// records are the tap's own count; clearing a halt is shown as the control transfer that it is on the wire.
 class TappedUsbLink final : public UsbLink {
   public:
     TappedUsbLink(std::unique_ptr<UsbLink> inner, Scheduler& scheduler);
 
-    /// Observers are told in the order they were added; each must outlive the link or be removed. Link's thread.
+    /// Observers are told in the order they were added; each must outlive the link or be removed. Both may be
+    /// called from inside observe(); the link itself must not be destroyed there. Link's thread.
     void addObserver(UsbTapObserver* observer);
     void removeObserver(UsbTapObserver* observer);
 
@@ -29,12 +31,17 @@ class TappedUsbLink final : public UsbLink {
     void setPresenceListener(std::function<void(bool present)> listener) override;
 
   private:
+    UsbCallback observedControl(const UsbSetup& setup, ByteView data, UsbCallback done);
     void observe(UsbTapRecord record);
 
-    std::unique_ptr<UsbLink> inner_;
     Scheduler& scheduler_;
     std::vector<UsbTapObserver*> observers_;
     std::function<void(bool)> presence_;
+    UsbTransferId lastRecord_ = 0;
+    bool open_ = false;
+    bool observing_ = false;
+    // Last, so that it goes first: its callbacks end here.
+    std::unique_ptr<UsbLink> inner_;
 };
 
 }  // namespace kickstand

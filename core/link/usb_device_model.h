@@ -30,10 +30,10 @@ struct UsbEndpointInfo {
 
 /// Everything a host reads about a device when it enumerates it, in the form it travels.
 struct UsbDescriptors {
-    std::vector<std::uint8_t> device;                ///< 18 bytes.
-    std::vector<std::uint8_t> configuration;         ///< With its interfaces and endpoints.
-    std::map<std::uint8_t, std::string> strings;     ///< By index, as UTF-8.
-    std::vector<UsbEndpointInfo> endpoints;          ///< The same endpoints, taken apart.
+    std::vector<std::uint8_t> device;             ///< 18 bytes.
+    std::vector<std::uint8_t> configuration;      ///< With its interfaces and endpoints.
+    std::map<std::uint8_t, std::string> strings;  ///< By index, as UTF-8.
+    std::vector<UsbEndpointInfo> endpoints;       ///< The same endpoints, taken apart.
 };
 
 /// Hears from a device model. Called on the model's thread, possibly from inside a call into the model.
@@ -59,12 +59,13 @@ class UsbDeviceModel {
     /// At most one listener; nullptr to have none.
     virtual void setListener(UsbDeviceListener* listener) = 0;
 
-    /// A control transfer, standard requests included. For IN, `in` is replaced by the answer (cut by the caller to
-    /// setup.length). Never Nak.
+    /// A control transfer, standard requests included. For IN, `in` is replaced by the answer (cut by the
+    /// caller to setup.length). Never Nak.
     virtual UsbHandshake control(const UsbSetup& setup, ByteView out, std::vector<std::uint8_t>& in) = 0;
     /// One OUT packet, taken whole or not at all.
     virtual UsbHandshake out(std::uint8_t endpoint, ByteView packet) = 0;
-    /// One IN token: on Ack the packet is in the first `actual` bytes of `buffer`, which holds the endpoint's packet size.
+    /// One IN token: on Ack the packet is in the first `actual` bytes of `buffer`, which holds the endpoint's
+    /// packet size.
     virtual UsbHandshake in(std::uint8_t endpoint, ByteSpan buffer, std::size_t& actual) = 0;
 };
 

@@ -5,44 +5,47 @@
 
 namespace kickstand {
 
-/// One USB device, as a host program uses it: libusb, USB/IP, or a simulated device in this process. One contract
-/// suite (tests/contract) holds for all of them.
+/// One USB device, as a host program uses it: libusb, USB/IP, or a simulated device in this process. One
+/// contract suite (tests/contract) holds for all of them.
 ///
-/// Every method is called on the scheduler's thread that the link was made with, and every callback comes there,
-/// never from inside the call that asked for it. What may block happens on a thread of the link's own. Each
-/// transfer that was accepted gets exactly one callback, except that destroying the link silences it.
+/// Every method is called on the scheduler's thread that the link was made with, and every callback comes
+/// there, never from inside the call that asked for it. What may block happens on a thread of the link's own.
+/// Each transfer that was accepted gets exactly one callback, except that destroying the link silences it.
 class UsbLink {
   public:
     virtual ~UsbLink() = default;
 
-    /// Finds the device, sets configuration 0 and then 1, and claims its interfaces; what an earlier program left
-    /// in the device is gone. Errors: NoDevice, SeveralDevices, PermissionDenied, ClaimedElsewhere, Io; Disconnected
-    /// when it vanished meanwhile. A link that is closed or lost may be opened again.
+    /// Finds the device, sets configuration 0 and then 1, and claims its interfaces; what an earlier program
+    /// left in the device is gone. Errors: NoDevice, SeveralDevices, PermissionDenied, ClaimedElsewhere, Io;
+    /// Disconnected when it vanished meanwhile. A link that is closed or lost may be opened again.
     virtual void open(std::function<void(Result<UsbDeviceInfo>)> done) = 0;
 
     /// Ends all transfers (Cancelled), releases and closes the device; `done` comes after the last of their
     /// callbacks. On a link that is not open, `done` comes at once.
     virtual void close(std::function<void()> done) = 0;
 
-    /// A control transfer on endpoint 0. For OUT, `data` is copied; for IN, at most `setup.length` bytes come back.
+    /// A control transfer on endpoint 0. For OUT, `data` is copied; for IN, at most `setup.length` bytes come
+    /// back.
     virtual void control(const UsbSetup& setup, ByteView data, Duration deadline, UsbCallback done) = 0;
 
-    /// Queues one OUT packet (interrupt or bulk), which may be empty. `data` is copied. Packets of an endpoint go
-    /// out in order; there is no deadline. Errors: NotConnected; OutOfRange for more than the endpoint's packet size;
-    /// BadArgument for an endpoint that does not exist or is an IN endpoint.
+    /// Queues one OUT packet (interrupt or bulk), which may be empty. `data` is copied. Packets of an
+    /// endpoint go out in order; there is no deadline. Errors: NotConnected; OutOfRange for more than the
+    /// endpoint's packet size; BadArgument for an endpoint that does not exist or is an IN endpoint.
     virtual Result<UsbTransferId> submitOut(std::uint8_t endpoint, ByteView data, UsbCallback done) = 0;
 
-    /// Asks for one packet of at most `size` bytes and waits for it without a deadline. Errors as submitOut().
+    /// Asks for one packet of at most `size` bytes and waits for it without a deadline. Errors as
+    /// submitOut().
     virtual Result<UsbTransferId> submitIn(std::uint8_t endpoint, std::size_t size, UsbCallback done) = 0;
 
-    /// Ends a transfer early. Its callback still comes: Cancelled, or how it ended before the cancel reached it.
+    /// Ends a transfer early. Its callback still comes: Cancelled, or how it ended before the cancel reached
+    /// it.
     virtual void cancel(UsbTransferId id) = 0;
 
     /// Clears the stall of an endpoint, at the device and at the host (USB 2.0, 9.4.5).
     virtual void clearHalt(std::uint8_t endpoint, UsbCallback done) = 0;
 
-    /// Tells when a matching device appears (true) or the opened one vanishes (false). Before the latter every
-    /// pending transfer has ended with NoDevice, and the link counts as closed. One listener.
+    /// Tells when a matching device appears (true) or the opened one vanishes (false). Before the latter
+    /// every pending transfer has ended with NoDevice, and the link counts as closed. One listener.
     virtual void setPresenceListener(std::function<void(bool present)> listener) = 0;
 };
 

@@ -40,7 +40,7 @@ struct UsbSetup {
 struct UsbMatch {
     std::uint16_t vendor = 0;
     std::uint16_t product = 0;
-    std::optional<std::string> port;       ///< Its place on the bus, "1-2.3"; needed only where several match.
+    std::optional<std::string> port;  ///< Its place on the bus, "1-2.3"; needed only where several match.
     std::vector<std::uint8_t> interfaces;  ///< The interfaces to claim.
 };
 
@@ -59,7 +59,7 @@ struct UsbDeviceInfo {
 /// The end of one transfer. `data` holds what came in, and only during the callback; for OUT it is empty.
 struct UsbCompletion {
     UsbStatus status = UsbStatus::Failed;
-    ByteView data;
+    ByteView data{};
     std::size_t actual = 0;  ///< Bytes that really moved.
 };
 using UsbCallback = std::function<void(const UsbCompletion&)>;
@@ -67,7 +67,9 @@ using UsbCallback = std::function<void(const UsbCompletion&)>;
 /// Identifies a transfer of one link. Zero is never given out.
 using UsbTransferId = std::uint64_t;
 
-constexpr bool isInEndpoint(std::uint8_t endpoint) { return (endpoint & 0x80) != 0; }
+constexpr bool isInEndpoint(std::uint8_t endpoint) {
+    return (endpoint & 0x80) != 0;
+}
 
 /// "completed", "stalled", …: stable names for logs and JSON. Any thread.
 const char* name(UsbStatus status);
