@@ -1,0 +1,5 @@
+#pragma once
+
+#include <chrono>
+#include <tl/expected.hpp>
+#include "core/base/error.h"

@@ -1,0 +1,4 @@
+#pragma once
+
+#include <QString>
+#include "core/engine/messages.h"

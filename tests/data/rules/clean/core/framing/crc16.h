@@ -1,0 +1,5 @@
+#pragma once
+
+#include <array>
+#include "core/base/bytes.h"
+#include "core/framing/inline_bytes.h"

@@ -1,0 +1,4 @@
+#pragma once
+
+#include "core/base/scheduler.h"
+#include "core/link/usb_types.h"

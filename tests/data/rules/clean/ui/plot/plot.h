@@ -1,0 +1,4 @@
+#pragma once
+
+#include "qcustomplot.h"
+#include "core/telemetry/time_series.h"

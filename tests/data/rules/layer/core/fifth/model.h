@@ -1,0 +1,4 @@
+#pragma once
+
+#include "core/fifth/wire/frame.h"
+#include "core/thunderbots/types.h"

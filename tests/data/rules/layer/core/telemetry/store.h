@@ -1,0 +1,4 @@
+#pragma once
+
+#include "core/base/time.h"
+#include "core/capture/file.h"

@@ -1,0 +1,4 @@
+#pragma once
+
+#include "core/thunderbots/wire/drive.h"
+#include "core/thunderbots/model.h"

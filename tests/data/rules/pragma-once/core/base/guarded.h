@@ -1,0 +1,3 @@
+#ifndef GUARDED_H
+#define GUARDED_H
+#endif

@@ -1,0 +1,5 @@
+#pragma once
+
+#include <array>
+#include <tl/expected.hpp>
+#include <unistd.h>
