@@ -139,13 +139,6 @@ bool UsbLinkContract::waitForPresence(std::size_t changes) {
     return rig_->waitUntil([&] { return presence_.size() >= changes; });
 }
 
-Bytes packet(std::size_t size, std::uint8_t first = 0) {
-    Bytes bytes(size);
-    for (std::size_t i = 0; i < size; ++i)
-        bytes[i] = static_cast<std::uint8_t>(first + i);
-    return bytes;
-}
-
 std::vector<Device::Packet> UsbLinkContract::received() {
     std::vector<Device::Packet> packets;
     rig_->onDevice([&](Device& device) { packets = device.received(); });
