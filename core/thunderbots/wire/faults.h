@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/thunderbots/wire/pipes.h"
+
 namespace kickstand::thunderbots::wire {
 
 /// What a fault code is about.
@@ -22,7 +24,7 @@ struct FaultFamily {
     FaultSubject subject = FaultSubject::None;
     std::uint8_t firstIndex = 0;  ///< The index that `firstCode` is about.
     const char* id = "";          ///< Stable and hyphenated: "send-failed".
-    const char* text = "";        ///< English: "Send failed". The subject is not part of it.
+    const char* text = "";        ///< English: "Message could not be sent". The subject is not part of it.
 };
 
 /// One fault code, explained.
@@ -49,8 +51,8 @@ Fault dongleFault(std::uint8_t code) noexcept;
 /// The robot that a message could not be sent to, where a dongle code says that (protocol 7.2). Any thread.
 std::optional<std::uint8_t> sendFailedRobot(std::uint8_t dongleCode) noexcept;
 
-/// "Radio 1: framing error", "Robot 7: send failed", "Debug text overflow", "Unknown fault code 200".
-/// Allocates. Any thread.
+/// "Radio 1: Serial framing error", "Robot 7: Message could not be sent", "Debug text overflow", "Unknown
+/// fault code 200". Allocates. Any thread.
 std::string describe(const Fault& fault);
 
 }  // namespace kickstand::thunderbots::wire

@@ -29,11 +29,11 @@ struct DecodedField {
 /// field has labels, hex for bytes.
 using FieldText = std::pair<std::string, std::string>;
 
-/// Writes the message of that name ("thunderbots.drive"; fields.h lists them all). Fields that are not given
-/// are zero (a field that may not be zero: its lowest value), opcodes and lengths write themselves. A list
-/// takes its fields as decodeMessage() names them. Errors: UnknownName for the message or a field, with what
-/// there is in `detail`; BadArgument for a field given twice or text that is no value; OutOfRange with the
-/// field's range. Any thread.
+/// Writes the message of that name ("thunderbots.drive"; fields.h lists them all). A field that is not given
+/// is zero; one that may not be zero must be given, only opcodes and lengths write themselves. A list takes
+/// its fields as decodeMessage() names them. Errors: UnknownName for the message or a field, with what there
+/// is in `detail`; BadArgument for a field missing, given twice, or with text that is no value; OutOfRange
+/// with the range. Any thread.
 Result<std::vector<std::uint8_t>> encodeMessage(std::string_view name, std::span<const FieldText> fields);
 
 /// Reads the message of that name, or of that family. Reserved bits are listed only where they are not zero.
