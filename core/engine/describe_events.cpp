@@ -1,0 +1,250 @@
+#include <QCoreApplication>
+#include <algorithm>
+#include <optional>
+
+#include "core/engine/describe.h"
+#include "core/engine/fact_text.h"
+#include "core/thunderbots/wire/faults.h"
+#include "core/thunderbots/wire/readings.h"
+#include "core/thunderbots/wire/test_mode.h"
+
+namespace kickstand {
+namespace {
+
+namespace wire = thunderbots::wire;
+using thunderbots::EventKind;
+
+struct Event {
+    Q_DECLARE_TR_FUNCTIONS(Event)
+};
+
+using Text = std::optional<EventText>;
+
+EventText information(QString text) {
+    return {std::move(text), Severity::Information};
+}
+EventText warning(QString text) {
+    return {std::move(text), Severity::Warning};
+}
+EventText danger(QString text) {
+    return {std::move(text), Severity::Danger};
+}
+
+QString battery(double volts) {
+    return Event::tr("%1 V").arg(volts, 0, 'f', 1);
+}
+QString capacitor(double volts) {
+    return Event::tr("%1 V").arg(volts, 0, 'f', 0);
+}
+QString endpoint(std::int64_t address) {
+    return QStringLiteral("0x%1").arg(address & 0xFF, 2, 16, QLatin1Char('0'));
+}
+
+/// What an error says, to be put behind a colon.
+QString reason(std::int64_t code, const std::string& detail = {}) {
+    Error error;
+    error.code = static_cast<Errc>(code);
+    error.detail = detail;
+    QString what = describe(error).what;
+    if (what.endsWith(QLatin1Char('.'))) what.chop(1);
+    return what;
+}
+
+/// A state that an event names by number: numbers that do not exist are shown as such.
+template <class State>
+QString stateText(std::int64_t code) {
+    const QString text = code < 0 || code > 255 ? QString() : describe(static_cast<State>(code));
+    return text.isEmpty() ? QString::number(code) : text;
+}
+
+Text linkEvent(const thunderbots::Event& event) {
+    switch (event.kind) {
+        case EventKind::Connected:
+            return information(Event::tr("connected, all robots told to brake"));
+        case EventKind::Disconnected:
+            return information(Event::tr("disconnected"));
+        case EventKind::LinkLost:
+            return danger(Event::tr("link lost: the device was unplugged or is without power"));
+        case EventKind::LinkFailed:
+            return danger(Event::tr("link failed: %1").arg(reason(event.code, event.text)));
+        case EventKind::Waiting:
+            return information(Event::tr("waiting for a device to be plugged in"));
+        case EventKind::EmergencyStop: {
+            const QString text =
+                Event::tr("emergency stop: %1, before: %2")
+                    .arg(stateText<wire::EStop>(event.code), stateText<wire::EStop>(event.previous));
+            return event.code == static_cast<int>(wire::EStop::Run) ? information(text) : warning(text);
+        }
+        case EventKind::Radios: {
+            const QString text = Event::tr("radios: %1").arg(stateText<wire::RadioState>(event.code));
+            return event.code > static_cast<int>(wire::RadioState::Running) ? danger(text)
+                                                                            : information(text);
+        }
+        case EventKind::Channels:
+            return information(Event::tr("radio channels: %1 and %2").arg(event.code).arg(event.previous));
+        default:
+            return {};
+    }
+}
+
+Text robotEvent(const thunderbots::Event& event) {
+    switch (event.kind) {
+        case EventKind::RobotFound:
+            return information(Event::tr("heard"));
+        case EventKind::RobotLost:
+            if (event.value >= wire::kCapacitorLive_V)
+                return danger(
+                    Event::tr("lost with %1 on its capacitor: treat as live").arg(capacitor(event.value)));
+            return warning(Event::tr("lost"));
+        case EventKind::BatteryLow:
+            if (event.code >= 2)
+                return warning(Event::tr("battery at its end: %1").arg(battery(event.value)));
+            return warning(Event::tr("battery low: %1").arg(battery(event.value)));
+        case EventKind::TestMode: {
+            const auto testClass = wire::testClassFromNumber(
+                static_cast<std::uint8_t>(std::clamp<std::int64_t>(event.code, 0, 255)));
+            if (testClass == wire::TestClass::None) return information(Event::tr("test LEDs: normal lights"));
+            const QString shown =
+                testClass ? QString::fromLatin1(wire::name(*testClass)) : QString::number(event.code);
+            if (!testClass || !wire::targetsOf(*testClass).any())
+                return information(Event::tr("test LEDs: %1").arg(shown));
+            return information(Event::tr("test LEDs: %1 %2").arg(shown).arg(event.previous));
+        }
+        case EventKind::ExperimentData:
+            return information(Event::tr("experiment data: %1 of 256 bytes known").arg(event.code));
+        case EventKind::WheelLimit: {
+            const QString text =
+                Event::tr("wheel limit ±%1, before: ±%2").arg(event.code).arg(event.previous);
+            return event.code > event.previous ? warning(text) : information(text);
+        }
+        default:
+            return {};
+    }
+}
+
+EventText kickGiven(const thunderbots::Event& event) {
+    QString text = Event::tr("kick given to the dongle: %1 / %2 µs").arg(event.code).arg(event.previous);
+    const auto offset_us = static_cast<std::int64_t>(event.value);
+    if (offset_us > 0) text += Event::tr(", solenoid 2 later by %1 µs").arg(offset_us);
+    if (offset_us < 0) text += Event::tr(", solenoid 1 later by %1 µs").arg(-offset_us);
+    return information(text);
+}
+
+EventText dischargeEnded(const thunderbots::Event& event) {
+    if (event.code == 0) return information(Event::tr("discharged to %1").arg(capacitor(event.value)));
+    const QString text = Event::tr("discharge broken off at %1: %2")
+                             .arg(capacitor(event.value), reason(event.code, event.text));
+    if (event.value < wire::kCapacitorLive_V) return warning(text);
+    return danger(Event::tr("%1; treat as live").arg(text));
+}
+
+Text highVoltageEvent(const thunderbots::Event& event) {
+    const bool on = event.code != 0;
+    switch (event.kind) {
+        case EventKind::Charged:
+            return information(Event::tr("capacitor charged: %1").arg(capacitor(event.value)));
+        case EventKind::KickGiven:
+            return kickGiven(event);
+        case EventKind::KickDropped:
+            if (event.code == static_cast<int>(Errc::KickExpired))
+                return warning(Event::tr("kick dropped: the dongle did not take it within 200 ms"));
+            return warning(Event::tr("kick dropped: %1").arg(reason(event.code, event.text)));
+        case EventKind::Autokick:
+            return information(Event::tr("autokick fired, number %1").arg(event.code));
+        case EventKind::AutokickArmed:
+            return on ? warning(Event::tr("autokick armed")) : information(Event::tr("autokick disarmed"));
+        case EventKind::Charger:
+            return information(on ? Event::tr("charger on") : Event::tr("charger off"));
+        case EventKind::HighVoltage:
+            return on ? warning(Event::tr("high voltage armed"))
+                      : information(Event::tr("high voltage disarmed"));
+        case EventKind::DischargeStarted:
+            return information(Event::tr("discharging from %1").arg(capacitor(event.value)));
+        case EventKind::DischargeEnded:
+            return dischargeEnded(event);
+        default:
+            return {};
+    }
+}
+
+QString faultText(std::int64_t code) {
+    if (code < 0 || code > 255) return QString::number(code);
+    return QString::fromStdString(wire::describe(wire::dongleFault(static_cast<std::uint8_t>(code))));
+}
+
+EventText troubleEvent(const thunderbots::Event& event) {
+    switch (event.kind) {
+        case EventKind::DongleFault:
+            return warning(Event::tr("the dongle reports: %1").arg(faultText(event.code)));
+        case EventKind::DongleText:
+            return information(Event::tr("the dongle says: %1").arg(printable(event.text)));
+        case EventKind::Malformed:
+            return warning(Event::tr("unreadable data on endpoint %1, number of times %2: %3")
+                               .arg(endpoint(event.code))
+                               .arg(event.value, 0, 'f', 0)
+                               .arg(printable(event.text)));
+        case EventKind::Stalled:
+            return warning(Event::tr("endpoint %1 stalled, in a row: %2")
+                               .arg(endpoint(event.code))
+                               .arg(event.value, 0, 'f', 0));
+        default:
+            return warning(Event::tr("something that this program has no words for"));
+    }
+}
+
+EventText textOf(const thunderbots::Event& event) {
+    for (const auto& group : {linkEvent, robotEvent, highVoltageEvent}) {
+        if (auto text = group(event)) return *std::move(text);
+    }
+    return troubleEvent(event);
+}
+
+EventText textOf(const EngineNote& note) {
+    switch (note.kind) {
+        case EngineNote::Kind::Stopped:
+            return danger(Event::tr("STOP: %1").arg(describe(note.reason)));
+        case EngineNote::Kind::Rearmed:
+            return warning(Event::tr("re-armed: robots can move again"));
+        case EngineNote::Kind::AnswersLost:
+            return warning(Event::tr("answers to commands that nobody fetched in time and that are lost: %1")
+                               .arg(note.count));
+        case EngineNote::Kind::SessionOpened:
+            return information(Event::tr("session opened: %1").arg(printable(note.text)));
+        case EngineNote::Kind::SessionClosed:
+            return information(Event::tr("session closed"));
+    }
+    return troubleEvent({});
+}
+
+EventText textOf(const SystemEvent& event) {
+    return std::visit([](const auto& one) { return textOf(one); }, event);
+}
+
+int robotIn(const EngineNote&) {
+    return -1;
+}
+int robotIn(const SystemEvent& event) {
+    return std::visit([](const auto& one) { return one.robot; }, event);
+}
+TimePoint timeIn(const EngineNote& note) {
+    return note.time;
+}
+TimePoint timeIn(const SystemEvent& event) {
+    return std::visit([](const auto& one) { return one.time; }, event);
+}
+
+}  // namespace
+
+EventText describe(const EngineEvent& event) {
+    return std::visit([](const auto& body) { return textOf(body); }, event.body);
+}
+
+int robotOf(const EngineEvent& event) {
+    return std::visit([](const auto& body) { return robotIn(body); }, event.body);
+}
+
+TimePoint timeOf(const EngineEvent& event) {
+    return std::visit([](const auto& body) { return timeIn(body); }, event.body);
+}
+
+}  // namespace kickstand

@@ -1,0 +1,179 @@
+#include "core/engine/error_texts.h"
+
+#include <QtGlobal>
+#include <array>
+
+namespace kickstand {
+namespace {
+
+// The rule that packaging/udev/60-kickstand.rules installs, as one command that works without this source
+// tree.
+constexpr char kInstallUdevRule[] =
+    "echo 'SUBSYSTEM==\"usb\", ATTR{idVendor}==\"04d8\", ATTR{idProduct}==\"7839|783a\", MODE=\"0660\", "
+    "GROUP=\"plugdev\", TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/60-kickstand.rules && "
+    "sudo udevadm control --reload && sudo udevadm trigger --subsystem-match=usb";
+
+// What was asked for makes no sense, or the bytes do not.
+constexpr ErrorText kInput[] = {
+    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject} cannot be used like this: {detail}."),
+     QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
+    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject}[ of robot {robot}] cannot be used like this."),
+     QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
+    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "What was asked for makes no sense[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
+
+    {Errc::OutOfRange, QT_TRANSLATE_NOOP("Error", "{subject}[ of robot {robot}] is {got}."),
+     QT_TRANSLATE_NOOP("Error", "Choose a value from {lowest} to {highest}.")},
+    {Errc::OutOfRange,
+     QT_TRANSLATE_NOOP("Error", "{subject}[ of robot {robot}] is out of range[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Choose a value from {lowest} to {highest}.")},
+    {Errc::OutOfRange, QT_TRANSLATE_NOOP("Error", "A value is out of range[: {got}]."),
+     QT_TRANSLATE_NOOP("Error", "Choose one within its range[: {lowest} to {highest}].")},
+
+    {Errc::UnknownName, QT_TRANSLATE_NOOP("Error", "There is no “{subject}” here."),
+     QT_TRANSLATE_NOOP("Error", "There is: {detail}.")},
+    {Errc::UnknownName, QT_TRANSLATE_NOOP("Error", "That name is not known here[: {subject}]."),
+     QT_TRANSLATE_NOOP("Error", "Check its spelling.")},
+
+    {Errc::BadUri,
+     QT_TRANSLATE_NOOP("Error",
+                       "“{subject}” is not a link: “{detail}”, from character {place} on, cannot be read."),
+     QT_TRANSLATE_NOOP("Error", "A link looks like usb:, usb:?port=1-2.3 or sim:thunderbots.")},
+    {Errc::BadUri, QT_TRANSLATE_NOOP("Error", "“{subject}” is not a link that can be opened here."),
+     QT_TRANSLATE_NOOP("Error", "Accepted: {detail}.")},
+    {Errc::BadUri, QT_TRANSLATE_NOOP("Error", "That is not a link that can be opened here[: {subject}]."),
+     QT_TRANSLATE_NOOP("Error", "A link looks like usb:, usb:?port=1-2.3 or sim:thunderbots.")},
+
+    {Errc::Unsupported, QT_TRANSLATE_NOOP("Error", "“{subject}” cannot be done on this link[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Use one that can.")},
+    {Errc::Unsupported, QT_TRANSLATE_NOOP("Error", "That cannot be done on this link[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Use one that can.")},
+
+    {Errc::NoEncoding,
+     QT_TRANSLATE_NOOP(
+         "Error",
+         "The pulse of {subject} would end after {got} µs, and {highest} µs is the latest there is."),
+     QT_TRANSLATE_NOOP("Error", "Shorten the pulse or the offset.")},
+    {Errc::NoEncoding,
+     QT_TRANSLATE_NOOP("Error", "A kick[ of robot {robot}] without any pulse does not exist."),
+     QT_TRANSLATE_NOOP("Error", "Give at least one of the two pulses a width.")},
+
+    {Errc::Malformed, QT_TRANSLATE_NOOP("Error", "{subject} is {got}, which cannot be."),
+     QT_TRANSLATE_NOOP("Error", "It has to be {lowest} to {highest}.")},
+    {Errc::Malformed, QT_TRANSLATE_NOOP("Error", "“{detail}”, from character {place} on, is not {subject}."),
+     QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
+    {Errc::Malformed, QT_TRANSLATE_NOOP("Error", "{subject} cannot be read[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Check where it comes from.")},
+    {Errc::Malformed,
+     QT_TRANSLATE_NOOP("Error", "Bytes came that cannot be read[ (endpoint {endpoint})][: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Check that the device is what it says it is.")},
+};
+
+// Links and devices.
+constexpr ErrorText kDevices[] = {
+    {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "No dongle or cabled robot is plugged in[ ({subject})]."),
+     QT_TRANSLATE_NOOP("Error", "Plug one in, or try a simulated one: sim:thunderbots.")},
+    {Errc::SeveralDevices,
+     QT_TRANSLATE_NOOP("Error",
+                       "Several devices are plugged in, and any of them could be meant[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Name one by its place on the bus, as in usb:?port=1-2.3.")},
+    {Errc::PermissionDenied,
+     QT_TRANSLATE_NOOP("Error", "The dongle is there[ ({subject})], but this user may not open it."),
+     QT_TRANSLATE_NOOP("Error", "Install the udev rule:"), kInstallUdevRule},
+    {Errc::ClaimedElsewhere,
+     QT_TRANSLATE_NOOP("Error",
+                       "The dongle is there[ ({subject})], but another program holds it[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Close that program; `kickstandctl doctor` says which one it is.")},
+    {Errc::Disconnected,
+     QT_TRANSLATE_NOOP("Error", "The device is gone: unplugged, or without power[ ({subject})]."),
+     QT_TRANSLATE_NOOP("Error", "Plug it in again.")},
+    {Errc::Stalled,
+     QT_TRANSLATE_NOOP("Error", "The device keeps refusing[ {subject}][ on endpoint {endpoint}]."),
+     QT_TRANSLATE_NOOP(
+         "Error",
+         "Unplug it and plug it in again; if that does not help, its firmware is not what is expected.")},
+    {Errc::TimedOut, QT_TRANSLATE_NOOP("Error", "No answer came in time from robot {robot}[ ({subject})]."),
+     QT_TRANSLATE_NOOP("Error", "Check that it is switched on and near, then try again.")},
+    {Errc::TimedOut, QT_TRANSLATE_NOOP("Error", "No answer came in time[: {subject}]."),
+     QT_TRANSLATE_NOOP("Error", "Try again; if it stays so, unplug the device and plug it in again.")},
+    {Errc::Cancelled, QT_TRANSLATE_NOOP("Error", "It was broken off before it was done[ ({subject})]."),
+     QT_TRANSLATE_NOOP("Error", "Start it again if it is still wanted.")},
+    {Errc::Io,
+     QT_TRANSLATE_NOOP("Error", "The operating system reports a failure[ of {subject}][: {detail}]."),
+     QT_TRANSLATE_NOOP("Error",
+                       "Unplug the device and plug it in again, into another socket if there is one.")},
+    {Errc::RadioFailed, QT_TRANSLATE_NOOP("Error", "Radio {got} of the dongle does not start."),
+     QT_TRANSLATE_NOOP(
+         "Error",
+         "Unplug the dongle and plug it in again; if it stays so, look at that radio module's seat.")},
+    {Errc::RadioFailed,
+     QT_TRANSLATE_NOOP("Error", "The dongle's radios do not start[: {subject}][: {detail}]."),
+     QT_TRANSLATE_NOOP(
+         "Error",
+         "Unplug the dongle and plug it in again; if it stays so, look at the radio modules' seats.")},
+    {Errc::ChannelsLocked,
+     QT_TRANSLATE_NOOP("Error", "The dongle does not change its channels while its radios run."),
+     QT_TRANSLATE_NOOP("Error", "Disconnect, connect again, and set them then.")},
+};
+
+// Refusals that keep people safe, and back-pressure.
+constexpr ErrorText kRefusals[] = {
+    {Errc::NotConnected, QT_TRANSLATE_NOOP("Error", "No link is running."),
+     QT_TRANSLATE_NOOP("Error", "Connect first.")},
+    {Errc::StopLatched, QT_TRANSLATE_NOOP("Error", "Everything is stopped."),
+     QT_TRANSLATE_NOOP("Error", "Re-arm first.")},
+    {Errc::NotArmed, QT_TRANSLATE_NOOP("Error", "The high voltage of robot {robot} is not armed."),
+     QT_TRANSLATE_NOOP("Error", "Arm it first.")},
+    {Errc::NotArmed, QT_TRANSLATE_NOOP("Error", "The high voltage is not armed."),
+     QT_TRANSLATE_NOOP("Error", "Arm it first.")},
+    {Errc::RobotNotAlive, QT_TRANSLATE_NOOP("Error", "Robot {robot} is not heard."),
+     QT_TRANSLATE_NOOP("Error", "Switch it on, and check its number, its channels and its battery.")},
+    {Errc::RobotNotAlive, QT_TRANSLATE_NOOP("Error", "The robot is not heard."),
+     QT_TRANSLATE_NOOP("Error", "Switch it on, and check its number, its channels and its battery.")},
+    {Errc::EmergencyStopNotRun, QT_TRANSLATE_NOOP("Error", "The emergency stop is not at “run”."),
+     QT_TRANSLATE_NOOP("Error", "Check that its switch is plugged into the dongle, and turn it to “run”.")},
+    {Errc::KickOutstanding,
+     QT_TRANSLATE_NOOP("Error", "The kick before[ for robot {robot}] has not been given to the dongle yet."),
+     QT_TRANSLATE_NOOP("Error", "Wait a moment, then kick again.")},
+    {Errc::KickExpired,
+     QT_TRANSLATE_NOOP("Error",
+                       "The kick[ for robot {robot}] was dropped: the dongle did not take it within 200 ms."),
+     QT_TRANSLATE_NOOP("Error", "Kick again; if it happens often, the radio is overloaded or disturbed.")},
+    {Errc::MustPassZero,
+     QT_TRANSLATE_NOOP("Error", "This input has been held since before[ robot {robot} could be driven]."),
+     QT_TRANSLATE_NOOP("Error", "Let it go back to zero once.")},
+    {Errc::NotDischarging, QT_TRANSLATE_NOOP("Error", "The capacitor[ of robot {robot}] does not empty."),
+     QT_TRANSLATE_NOOP("Error", "Treat it as live, switch the robot off and let it stand.")},
+    {Errc::ReadingsUnknown,
+     QT_TRANSLATE_NOOP("Error", "Robot {robot} has not sent its readings, so its voltage is not known."),
+     QT_TRANSLATE_NOOP("Error", "Treat it as live, and wait until it reports.")},
+    {Errc::ReadingsUnknown,
+     QT_TRANSLATE_NOOP("Error", "The robot has not sent its readings, so its voltage is not known."),
+     QT_TRANSLATE_NOOP("Error", "Treat it as live, and wait until it reports.")},
+    {Errc::QueueFull, QT_TRANSLATE_NOOP("Error", "Too much is waiting already[ ({subject})]."),
+     QT_TRANSLATE_NOOP("Error", "Wait a moment, then try again.")},
+    {Errc::HeartbeatStale,
+     QT_TRANSLATE_NOOP("Error", "The program was too busy to watch over the robots, so they were braked."),
+     QT_TRANSLATE_NOOP("Error", "Re-arm, and close what keeps the computer busy.")},
+};
+
+template <std::size_t... Sizes>
+constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
+    std::array<ErrorText, (Sizes + ...)> all{};
+    std::size_t at = 0;
+    const auto append = [&](std::span<const ErrorText> group) {
+        for (const ErrorText& text : group)
+            all[at++] = text;
+    };
+    (append(groups), ...);
+    return all;
+}
+constexpr auto kAll = joined(kInput, kDevices, kRefusals);
+
+}  // namespace
+
+std::span<const ErrorText> errorTexts() {
+    return kAll;
+}
+
+}  // namespace kickstand
