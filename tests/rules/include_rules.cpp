@@ -59,7 +59,7 @@ bool isQt(std::string_view target) {
 
 /// The places of core that may use Qt: sentences for people, and serial ports.
 bool mayUseQt(const SourceFile& file) {
-    return !file.isIn("core/") || file.isIn("core/engine/describe.") || file.isIn("core/link/serial/");
+    return !file.isIn("core/") || file.isIn("core/engine/describe") || file.isIn("core/link/serial/");
 }
 
 bool isStandardOrExpected(std::string_view target) {
