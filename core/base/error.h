@@ -49,18 +49,18 @@ enum class Errc : std::uint8_t {
 struct Error {
     Errc code = Errc::Io;
     /// The thing it is about, as the caller named it: a field, an option, a URI, a device.
-    std::string subject;
+    std::string subject{};
     /// Robot 0-15, where one is concerned.
-    std::optional<int> robot;
+    std::optional<int> robot{};
     /// USB endpoint address, where one is concerned.
-    std::optional<std::uint8_t> endpoint;
+    std::optional<std::uint8_t> endpoint{};
     /// Bounds of what would have been accepted.
-    std::optional<std::int64_t> lowest;
-    std::optional<std::int64_t> highest;
+    std::optional<std::int64_t> lowest{};
+    std::optional<std::int64_t> highest{};
     /// What there was instead.
-    std::optional<std::int64_t> got;
+    std::optional<std::int64_t> got{};
     /// A fact that fits nowhere else, such as the operating system's own word or the text that was given.
-    std::string detail;
+    std::string detail{};
 
     friend bool operator==(const Error&, const Error&) = default;
 };

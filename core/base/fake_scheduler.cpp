@@ -8,9 +8,13 @@ TimerId FakeScheduler::callAt(TimePoint when, Callback callback) {
     return heap_.add(std::max(when, now_), std::move(callback));
 }
 
-void FakeScheduler::post(Callback callback) { heap_.add(now_, std::move(callback)); }
+void FakeScheduler::post(Callback callback) {
+    heap_.add(now_, std::move(callback));
+}
 
-bool FakeScheduler::cancel(TimerId id) { return heap_.remove(id); }
+bool FakeScheduler::cancel(TimerId id) {
+    return heap_.remove(id);
+}
 
 void FakeScheduler::advance(Duration span) {
     const TimePoint end = now_ + span;

@@ -5,8 +5,8 @@
 
 namespace kickstand {
 
-/// A scheduler whose time passes only when a test says so. Everything runs inside advance() and friends, on the
-/// caller's thread. Not thread-safe.
+/// A scheduler whose time passes only when a test says so. Everything runs inside advance() and friends, on
+/// the caller's thread. Not thread-safe.
 class FakeScheduler final : public Scheduler {
   public:
     TimePoint now() const override { return now_; }
@@ -14,7 +14,8 @@ class FakeScheduler final : public Scheduler {
     void post(Callback callback) override;
     bool cancel(TimerId id) override;
 
-    /// Lets `span` pass: runs every call that falls due, each at its own time, those that they ask for included.
+    /// Lets `span` pass: runs every call that falls due, each at its own time, those that they ask for
+    /// included.
     void advance(Duration span);
     /// Runs what is due now, without letting time pass.
     void runPending() { advance(Duration::zero()); }

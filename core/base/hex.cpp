@@ -10,7 +10,9 @@ int digitValue(char c) {
     return -1;
 }
 
-bool isSeparator(char c) { return c == ' ' || c == '\t' || c == ':' || c == '\n' || c == '\r'; }
+bool isSeparator(char c) {
+    return c == ' ' || c == '\t' || c == ':' || c == '\n' || c == '\r';
+}
 
 }  // namespace
 
@@ -35,7 +37,8 @@ Result<std::vector<std::uint8_t>> parseHex(std::string_view text) {
             ++at;
             continue;
         }
-        const bool prefixed = text[at] == '0' && at + 1 < text.size() && (text[at + 1] == 'x' || text[at + 1] == 'X');
+        const bool prefixed =
+            text[at] == '0' && at + 1 < text.size() && (text[at + 1] == 'x' || text[at + 1] == 'X');
         if (prefixed) at += 2;
         const int high = at < text.size() ? digitValue(text[at]) : -1;
         const int low = at + 1 < text.size() ? digitValue(text[at + 1]) : -1;

@@ -11,7 +11,9 @@ template <class T>
 using Result = tl::expected<T, Error>;
 
 /// Wraps an Error for return from a function that gives a Result.
-inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
+inline tl::unexpected<Error> fail(Error error) {
+    return tl::unexpected<Error>(std::move(error));
+}
 
 /// Short form for an error that needs no more than its kind, its subject and a detail.
 inline tl::unexpected<Error> fail(Errc code, std::string subject = {}, std::string detail = {}) {

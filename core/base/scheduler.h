@@ -11,7 +11,8 @@ namespace kickstand {
 using TimerId = std::uint64_t;
 
 /// Tells the time and calls back: the only source of either in core. All callbacks run one after another on
-/// the scheduler's own thread, in order of their time and, where that is equal, in the order they were asked for.
+/// the scheduler's own thread, in order of their time and, where that is equal, in the order they were asked
+/// for.
 class Scheduler {
   public:
     using Callback = std::function<void()>;
@@ -28,12 +29,15 @@ class Scheduler {
     /// Calls `callback` once, as soon as possible, after everything posted before it. Any thread.
     virtual void post(Callback callback) = 0;
 
-    /// Forgets a pending call. True when it will not run any more; false when it has run, runs now, or never was.
-    /// Any thread; only on the scheduler's own thread does true or false leave no doubt about what runs now.
+    /// Forgets a pending call. True when it will not run any more; false when it has run, runs now, or never
+    /// was. Any thread; only on the scheduler's own thread does true or false leave no doubt about what runs
+    /// now.
     virtual bool cancel(TimerId id) = 0;
 
     /// callAt(), counted from now. Any thread.
-    TimerId callAfter(Duration delay, Callback callback) { return callAt(now() + delay, std::move(callback)); }
+    TimerId callAfter(Duration delay, Callback callback) {
+        return callAt(now() + delay, std::move(callback));
+    }
 };
 
 }  // namespace kickstand

@@ -30,8 +30,8 @@ class SampleSink {
     virtual void gap(SignalId signal, TimePoint time) = 0;
 };
 
-/// What the engine gives a session of any system to work with. Everything in it outlives the session and is used on
-/// the engine thread, but for `stop`, which anyone may set at any time.
+/// What the engine gives a session of any system to work with. Everything in it outlives the session and is
+/// used on the engine thread, but for `stop`, which anyone may set at any time.
 template <class Event>
 struct SessionHost {
     Scheduler& scheduler;

@@ -22,7 +22,8 @@ ThreadScheduler::~ThreadScheduler() {
 }
 
 TimePoint ThreadScheduler::now() const {
-    return TimePoint(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+    return TimePoint(
+        std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
 }
 
 TimerId ThreadScheduler::callAt(TimePoint when, Callback callback) {
@@ -40,7 +41,8 @@ TimerId ThreadScheduler::callAt(TimePoint when, Callback callback) {
 void ThreadScheduler::post(Callback callback) {
     {
         const std::lock_guard lock(mutex_);
-        // Now, read under the lock: behind every timer that is already due, so that a stream of posts starves none.
+        // Now, read under the lock: behind every timer that is already due, so that a stream of posts starves
+        // none.
         heap_.add(now(), std::move(callback));
     }
     wake_.notify_one();

@@ -10,9 +10,9 @@
 
 namespace kickstand {
 
-/// The real scheduler: one std::thread that waits on a condition variable for the next call. Its waits end within
-/// some 0.1 ms of the time asked for, where a Qt event loop rounds timers to whole milliseconds, and the thread
-/// sanitizer sees every lock. Calls that are pending at destruction are dropped unrun.
+/// The real scheduler: one std::thread that waits on a condition variable for the next call. Its waits end
+/// within some 0.1 ms of the time asked for, where a Qt event loop rounds timers to whole milliseconds, and
+/// the thread sanitizer sees every lock. Calls that are pending at destruction are dropped unrun.
 class ThreadScheduler final : public Scheduler {
   public:
     ThreadScheduler();

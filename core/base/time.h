@@ -19,7 +19,9 @@ struct SchedulerClock {
 using TimePoint = SchedulerClock::time_point;
 
 /// Seconds as a number, for arithmetic with physical units.
-constexpr double seconds(Duration span) { return std::chrono::duration<double>(span).count(); }
+constexpr double seconds(Duration span) {
+    return std::chrono::duration<double>(span).count();
+}
 
 /// A number of seconds as a Duration.
 constexpr Duration fromSeconds(double span_s) {

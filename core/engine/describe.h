@@ -6,8 +6,8 @@
 
 namespace kickstand {
 
-// The edge where facts become sentences: what the window and the command line show. Translatable. Any thread once the
-// application object exists.
+// The edge where facts become sentences: what the window and the command line show. Translatable. Any thread
+// once the application object exists.
 
 /// What went wrong, and what to do about it.
 struct Description {
@@ -35,7 +35,7 @@ TimePoint timeOf(const EngineEvent& event);
 
 QString describe(StopReason reason);
 QString describe(thunderbots::LinkState state);
-QString describe(thunderbots::wire::EmergencyStop state);
+QString describe(thunderbots::wire::EStop state);
 QString describe(thunderbots::wire::RadioState state);
 
 }  // namespace kickstand

@@ -17,9 +17,9 @@ struct EngineOptions {
     Duration shutdownLimit = std::chrono::milliseconds(500);
 };
 
-/// The engine: one thread that runs every session, seen from outside. Commands go in, snapshots, events and telemetry
-/// come out; each of the four is bounded. Every method may be called from any thread and none waits for the
-/// engine thread, except shutdown() and the destructor.
+/// The engine: one thread that runs every session, seen from outside. Commands go in, snapshots, events and
+/// telemetry come out; each of the four is bounded. Every method may be called from any thread and none waits
+/// for the engine thread, except shutdown() and the destructor.
 class Engine {
   public:
     explicit Engine(std::unique_ptr<LinkProvider> links, EngineOptions options = {});
@@ -40,7 +40,8 @@ class Engine {
     /// Re-arms after a STOP: a separate act of a person.
     void rearm();
     bool isStopped() const;
-    /// "The person's side is alive": to be called at least every 100 ms by whoever drives. Without it nothing moves.
+    /// "The person's side is alive": to be called at least every 100 ms by whoever drives. Without it nothing
+    /// moves.
     void heartbeat();
 
     /// The latest state; never null.

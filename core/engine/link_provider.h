@@ -17,18 +17,19 @@ namespace kickstand {
 struct FoundDevice {
     LinkUri uri;
     UsbDeviceInfo info;
-    std::optional<Error> obstacle;  ///< PermissionDenied or ClaimedElsewhere, where it could not be opened now.
+    std::optional<Error>
+        obstacle;  ///< PermissionDenied or ClaimedElsewhere, where it could not be opened now.
 };
 
 /// A link ready to be opened, with what it stands on.
 struct ProvidedUsbLink {
     std::shared_ptr<void> keepAlive;  ///< A simulated device; destroyed after the link.
     std::unique_ptr<UsbLink> link;
-    SimControl* sim = nullptr;        ///< Null for hardware.
+    SimControl* sim = nullptr;  ///< Null for hardware.
 };
 
-/// Turns URIs into links. Implemented by the composition of a program, the only place that knows which links and
-/// simulators were built in; by test doubles elsewhere. Called on the engine thread; must not block.
+/// Turns URIs into links. Implemented by the composition of a program, the only place that knows which links
+/// and simulators were built in; by test doubles elsewhere. Called on the engine thread; must not block.
 class LinkProvider {
   public:
     virtual ~LinkProvider() = default;

@@ -19,8 +19,8 @@ class TelemetryStore;
 /// Identifies a session from connect() until it is closed. Zero is never given out.
 using SessionId = std::uint32_t;
 
-/// Opens a session on a link. Answered when the link has been made (not yet when it runs: the snapshot tells).
-/// Errors: BadUri, Unsupported.
+/// Opens a session on a link. Answered when the link has been made (not yet when it runs: the snapshot
+/// tells). Errors: BadUri, Unsupported.
 struct Connect {
     LinkUri uri;
 };

@@ -8,7 +8,7 @@
 
 namespace kickstand {
 
-// The systems that the engine knows. A new one adds an alternative to each line here, and its session to
+// The systems that the engine knows. A new one adds an alternative to each line here, and a line to
 // core/engine/session_registry.cpp.
 using SystemCommand = std::variant<thunderbots::Command>;
 using SystemEvent = std::variant<thunderbots::Event>;

@@ -8,15 +8,16 @@
 
 namespace kickstand::thunderbots {
 
-// What a person, a script or a panel may ask of a session. Plain values; each is answered once. A command for several
-// robots is done for those that it can be done for; the answer is the error of the first that it could not be done for.
+// What a person, a script or a panel may ask of a session. Plain values; each is answered once. A command for
+// several robots is done for those that it can be done for; the answer is the error of the first that it
+// could not be done for.
 //
-// All of them can be refused with StopLatched or NotConnected; those that move or charge also with RobotNotAlive and
-// EmergencyStopNotRun.
+// All of them can be refused with StopLatched or NotConnected; those that move or charge also with
+// RobotNotAlive and EmergencyStopNotRun.
 
 /// Runs the wheels at these speeds. Clamped by the ramp, refused (OutOfRange) past the connection's limit.
-/// `held`: it comes from an input that is held in place (key, stick, slider); such a one must have been at zero once
-/// since the last connection, STOP or loss of the robot, or it is refused with MustPassZero.
+/// `held`: it comes from an input that is held in place (key, stick, slider); such a one must have been at
+/// zero once since the last connection, STOP or loss of the robot, or it is refused with MustPassZero.
 struct SetWheels {
     RobotMask robots = 0;
     WheelSpeeds wheels{};
@@ -28,7 +29,8 @@ struct Brake {
     RobotMask robots = 0;
 };
 
-/// Lets wheels go faster than kStartingWheelLimit, without a ramp, until the connection ends. 0-1023; OutOfRange.
+/// Lets wheels go faster than kStartingWheelLimit, without a ramp, until the connection ends. 0-1023;
+/// OutOfRange.
 struct SetWheelLimit {
     int limit = kStartingWheelLimit;
 };
@@ -38,8 +40,8 @@ struct SetDribbler {
     bool on = false;
 };
 
-/// A person has armed (or disarmed) the high voltage of these robots on screen: kick, charge, autokick and discharge
-/// need it. Disarming also switches the charger and autokick off.
+/// A person has armed (or disarmed) the high voltage of these robots on screen: kick, charge, autokick and
+/// discharge need it. Disarming also switches the charger and autokick off.
 struct ArmHighVoltage {
     RobotMask robots = 0;
     bool armed = false;
@@ -51,8 +53,9 @@ struct SetCharger {
     bool on = false;
 };
 
-/// Fires once. Refused with NotArmed, NoEncoding (both pulses empty) and KickOutstanding. Answered when the dongle
-/// has taken it, which is not yet the robot; KickExpired when that took more than 200 ms and it was dropped.
+/// Fires once. Refused with NotArmed, NoEncoding (both pulses empty) and KickOutstanding. Answered when the
+/// dongle has taken it, which is not yet the robot; KickExpired when that took more than 200 ms and it was
+/// dropped.
 struct Kick {
     int robot = 0;
     wire::KickTimes times;
@@ -65,8 +68,8 @@ struct SetAutokick {
     wire::KickTimes times;
 };
 
-/// Where a test mode goes: in the drive block, shown while it is sent, or as a message, shown until another one or
-/// a reboot (protocol 4.5).
+/// Where a test mode goes: in the drive block, shown while it is sent, or as a message, shown until another
+/// one or a reboot (protocol 4.5).
 enum class TestModeWay : std::uint8_t { DriveBlock, Message };
 
 struct SetTestMode {
@@ -75,21 +78,21 @@ struct SetTestMode {
     TestModeWay way = TestModeWay::Message;
 };
 
-/// Empties the capacitor with 96 µs pulses until 25 V, or stops doing so. Switches the charger and autokick off.
-/// Answered when it has begun; events tell how it goes. Refused with NotArmed and ReadingsUnknown.
+/// Empties the capacitor with 96 µs pulses until 25 V, or stops doing so. Switches the charger and autokick
+/// off. Answered when it has begun; events tell how it goes. Refused with NotArmed and ReadingsUnknown.
 struct Discharge {
     int robot = 0;
     bool on = true;
 };
 
-/// Sets the dongle's radio channels (0x0B-0x1A), which takes a new start of the radios. OutOfRange; Unsupported on a
-/// cable. Everything is braked first.
+/// Sets the dongle's radio channels (0x0B-0x1A), which takes a new start of the radios. OutOfRange;
+/// Unsupported on a cable. Everything is braked first.
 struct SetChannels {
     std::uint8_t channel0 = 0;
     std::uint8_t channel1 = 0;
 };
 
-using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick, SetAutokick,
-                             SetTestMode, Discharge, SetChannels>;
+using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick,
+                             SetAutokick, SetTestMode, Discharge, SetChannels>;
 
 }  // namespace kickstand::thunderbots

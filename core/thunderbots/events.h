@@ -10,13 +10,13 @@ namespace kickstand::thunderbots {
 
 /// What can happen. The comment says what Event's numbers mean for it.
 enum class EventKind : std::uint8_t {
-    Connected,         ///< The link runs; braked blocks have been sent to all robots.
-    Disconnected,      ///< Closed on purpose.
-    LinkLost,          ///< Unplugged or gone.
-    LinkFailed,        ///< text: the error's detail; code: its Errc.
-    Waiting,           ///< No device yet; the session waits for one.
-    EmergencyStop,     ///< code: the new state, previous: the old one.
-    Radios,            ///< code: the new state, previous: the old one.
+    Connected,      ///< The link runs; braked blocks have been sent to all robots.
+    Disconnected,   ///< Closed on purpose.
+    LinkLost,       ///< Unplugged or gone.
+    LinkFailed,     ///< text: the error's detail; code: its Errc.
+    Waiting,        ///< No device yet; the session waits for one.
+    EmergencyStop,  ///< code: the new state, previous: the old one.
+    Radios,         ///< code: the new state, previous: the old one.
     RobotFound,
     RobotLost,         ///< value: volts on its capacitor when last known, 0 if below the live mark.
     BatteryLow,        ///< value: volts; code 1 low, 2 at its end.

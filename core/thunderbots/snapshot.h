@@ -10,8 +10,8 @@
 #include "core/thunderbots/types.h"
 #include "core/thunderbots/wire/dongle.h"
 #include "core/thunderbots/wire/drive.h"
-#include "core/thunderbots/wire/experiment.h"
 #include "core/thunderbots/wire/feedback.h"
+#include "core/thunderbots/wire/indicator.h"
 #include "core/thunderbots/wire/kick.h"
 #include "core/thunderbots/wire/test_mode.h"
 
@@ -37,8 +37,8 @@ struct Readings {
 
 /// The 256-byte experiment buffer as far as it has arrived (protocol 4.6).
 struct ExperimentBuffer {
-    std::array<std::uint8_t, wire::kExperimentBufferSize> data{};
-    std::bitset<wire::kExperimentBufferSize> known;
+    std::array<std::uint8_t, wire::kExperimentBufferBytes> data{};
+    std::bitset<wire::kExperimentBufferBytes> known;
     std::uint32_t messages = 0;
     std::uint32_t rejected = 0;  ///< Messages whose offset was past the last legal one.
 };
@@ -71,8 +71,8 @@ struct RobotState {
 
 /// What the engine has been asked to do with one robot.
 struct RobotIntent {
-    WheelSpeeds target{};       ///< What was asked for.
-    WheelSpeeds commanded{};    ///< What the ramp has come to.
+    WheelSpeeds target{};     ///< What was asked for.
+    WheelSpeeds commanded{};  ///< What the ramp has come to.
     bool run = false;
     bool dribbler = false;
     bool highVoltageArmed = false;
@@ -91,10 +91,10 @@ struct RobotIntent {
 struct TrafficCounters {
     std::uint64_t packetsOut = 0;
     std::uint64_t packetsIn = 0;
-    std::uint64_t malformed = 0;      ///< Packets, micropackets or messages that could not be read.
+    std::uint64_t malformed = 0;  ///< Packets, micropackets or messages that could not be read.
     std::uint64_t stalls = 0;
-    std::uint64_t dongleErrors = 0;   ///< Codes from the dongle's error queue.
-    double packets_per_s = 0;         ///< Both directions, over the last second.
+    std::uint64_t dongleErrors = 0;  ///< Codes from the dongle's error queue.
+    double packets_per_s = 0;        ///< Both directions, over the last second.
 };
 
 /// All there is to show of one thunderbots session at one moment.
@@ -104,9 +104,10 @@ struct Snapshot {
     std::optional<Error> error;  ///< Why the link failed or waits.
     UsbDeviceInfo device;
     bool cable = false;
-    wire::EmergencyStop emergencyStop = wire::EmergencyStop::Uninitialized;
+    wire::EStop eStop = wire::EStop::Uninitialized;
     wire::RadioState radios = wire::RadioState::PreInit;
     std::optional<wire::Channels> channels;
+    std::optional<wire::RadioVersions> radioVersions;
     int wheelLimit = kStartingWheelLimit;
     std::array<RobotState, kRobots> robots;
     std::array<RobotIntent, kRobots> intents;

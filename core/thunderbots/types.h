@@ -19,11 +19,17 @@ constexpr int kStartingWheelLimit = 100;
 /// A choice of robots: bit n is robot n.
 using RobotMask = std::uint16_t;
 constexpr RobotMask kAllRobots = 0xFFFF;
-constexpr RobotMask maskOf(int robot) { return static_cast<RobotMask>(1U << robot); }
-constexpr bool contains(RobotMask mask, int robot) { return (mask >> robot & 1) != 0; }
+constexpr RobotMask maskOf(int robot) {
+    return static_cast<RobotMask>(1U << robot);
+}
+constexpr bool contains(RobotMask mask, int robot) {
+    return (mask >> robot & 1) != 0;
+}
 
 /// Revolutions per minute of a wheel set point: 42 units are 350 rpm (protocol 6.6).
-constexpr double wheel_rpm(int units) { return units * 350.0 / 42.0; }
+constexpr double wheel_rpm(int units) {
+    return units * 350.0 / 42.0;
+}
 
 /// The signals of one robot, as SignalId::signal numbers them.
 enum class Signal : std::uint16_t { Battery_V = 0, Capacitor_V = 1, Dribbler_C = 2, Light = 3 };
@@ -37,7 +43,7 @@ enum class LinkState : std::uint8_t {
     Starting,   ///< Radios are coming up.
     Braking,    ///< Sixteen braked blocks on their way, before anything else.
     Running,
-    Failed,     ///< Cannot go on without a person; the snapshot's error says why.
+    Failed,  ///< Cannot go on without a person; the snapshot's error says why.
 };
 
 /// "idle", "searching", …: stable names for JSON. Any thread.

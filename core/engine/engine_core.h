@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/engine/engine.h"
+#include "core/engine/flow/bounded_queue.h"
+#include "core/engine/flow/event_ring.h"
+#include "core/engine/flow/heartbeat.h"
+#include "core/engine/flow/snapshot_cell.h"
+#include "core/engine/session_slot.h"
+
+namespace kickstand {
+
+/// The four flows between the engine's thread and everybody else, and the two things that anybody may set at
+/// any time. Each is bounded.
+struct EngineFlows {
+    static constexpr std::size_t kCommands = 1024;
+    static constexpr std::size_t kAnswers = 4096;
+    static constexpr std::size_t kEvents = 8192;
+
+    BoundedQueue<Command> commands{kCommands};
+    BoundedQueue<Answer> answers{kAnswers};
+    EventRing<EngineEvent> events{kEvents};
+    SnapshotCell<EngineSnapshot> snapshots;
+    StopLatch stop;
+    Heartbeat heartbeat;
+};
+
+/// What the engine's thread does, without the thread: runs on whatever scheduler it is given, so that a fake
+/// one can run it through a day. Everything but the flows is used on the scheduler's thread.
+class EngineCore {
+  public:
+    EngineCore(Scheduler& scheduler, LinkProvider& links, const EngineOptions& options);
+    ~EngineCore();
+
+    EngineFlows& flows() { return flows_; }
+
+    /// Begins the safety step.
+    void start();
+    /// Takes what is in the command queue.
+    void takeCommands();
+    /// The latch has been set or taken back: acts on it now rather than with the next step.
+    void latchChanged();
+    /// Brakes and closes every session; `done` comes once, within the options' limit.
+    void shutdown(std::function<void()> done);
+    /// Destroys every session, without ceremony.
+    void endSessions();
+
+  private:
+    void step();
+    void execute(Command& command);
+    Result<void> connect(SessionId id, const LinkUri& uri);
+    void disconnect(CommandId id, std::size_t at);
+    void discover(CommandId id);
+    void answer(Answer answer);
+    void note(EngineNote note, SessionId session = 0);
+    void publishIfChanged();
+    std::uint64_t versions() const;
+    std::size_t find(SessionId id) const;
+
+    Scheduler& scheduler_;
+    LinkProvider& links_;
+    EngineOptions options_;
+    EngineFlows flows_;
+    std::vector<std::unique_ptr<SessionSlot>> sessions_;
+    std::vector<std::unique_ptr<SessionSlot>> closing_;
+    std::vector<FoundDevice> found_;
+    bool discovered_ = false;
+    bool stopSeen_ = false;
+    bool heartbeatFresh_ = false;
+    std::uint64_t answersLost_ = 0;
+    std::uint64_t ownVersion_ = 1;
+    std::uint64_t publishedVersion_ = 0;
+    TimerId stepTimer_ = 0;
+    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace kickstand

@@ -1,0 +1,52 @@
+#include "core/engine/session_registry.h"
+
+#include <array>
+#include <string_view>
+
+#include "core/thunderbots/session.h"
+
+namespace kickstand {
+namespace {
+
+using Maker = Result<MadeSession> (*)(const LinkUri&, LinkProvider&, const SessionEnvironment&);
+
+struct System {
+    std::string_view name;
+    bool (*takes)(const LinkUri& uri);
+    Maker make;
+};
+
+Result<MadeSession> makeThunderbots(const LinkUri& uri, LinkProvider& links,
+                                    const SessionEnvironment& environment) {
+    auto provided = links.makeUsbLink(uri, environment.scheduler);
+    if (!provided) return fail(provided.error());
+    MadeSession made;
+    made.keepAlive = std::move(provided->keepAlive);
+    made.sim = provided->sim;
+    thunderbots::Session::Host host{environment.scheduler, environment.stop, environment.samples,
+                                    environment.event, environment.answer};
+    made.session = std::make_unique<SystemSessionOf<thunderbots::Session, thunderbots::Command>>(
+        std::move(host), std::move(provided->link));
+    return made;
+}
+
+bool isThunderbots(const LinkUri& uri) {
+    if (uri.scheme == "sim") return uri.target == "thunderbots";
+    return uri.scheme == "usb" || uri.scheme == "usb-cable" || uri.scheme == "usbip";
+}
+
+constexpr std::array kSystems{
+    System{"thunderbots", isThunderbots, makeThunderbots},
+};
+
+}  // namespace
+
+Result<MadeSession> makeSession(const LinkUri& uri, LinkProvider& links,
+                                const SessionEnvironment& environment) {
+    for (const System& system : kSystems) {
+        if (system.takes(uri)) return system.make(uri, links, environment);
+    }
+    return fail(Errc::Unsupported, toString(uri));
+}
+
+}  // namespace kickstand

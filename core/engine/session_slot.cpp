@@ -1,0 +1,103 @@
+#include "core/engine/session_slot.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace kickstand {
+namespace {
+
+std::optional<Mark> markOf(const thunderbots::Event& event) {
+    using Kind = thunderbots::EventKind;
+    Mark mark;
+    mark.time = event.time;
+    if (event.robot >= 0) mark.unit = static_cast<std::uint16_t>(event.robot);
+    switch (event.kind) {
+        case Kind::KickGiven:
+            mark.kind = MarkKind::Kick;
+            mark.value = static_cast<float>(std::max(event.code, event.previous));
+            return mark;
+        case Kind::Autokick:
+            mark.kind = MarkKind::Autokick;
+            return mark;
+        case Kind::DongleFault:
+            mark.kind = MarkKind::DeviceError;
+            mark.value = static_cast<float>(event.code);
+            return mark;
+        case Kind::Connected:
+            mark.kind = MarkKind::LinkUp;
+            return mark;
+        case Kind::LinkLost:
+        case Kind::Disconnected:
+            mark.kind = MarkKind::LinkDown;
+            return mark;
+        case Kind::RobotFound:
+            mark.kind = MarkKind::UnitHeard;
+            return mark;
+        case Kind::RobotLost:
+            mark.kind = MarkKind::UnitLost;
+            return mark;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+SessionSlot::SessionSlot(SessionId id, LinkUri uri, std::function<void(EngineEvent)> event,
+                         std::function<void(Answer)> answer)
+    : id_(id),
+      uri_(std::move(uri)),
+      event_(std::move(event)),
+      answer_(std::move(answer)),
+      telemetry_(std::make_shared<TelemetryStore>()) {}
+
+Result<void> SessionSlot::open(LinkProvider& links, Scheduler& scheduler, StopLatch& stop) {
+    const SessionEnvironment environment{scheduler, stop, *this,
+                                         [this](SystemEvent event) {
+                                             markEvent(event);
+                                             event_(EngineEvent{id_, std::move(event)});
+                                         },
+                                         [this](CommandId id, Result<void> result) {
+                                             answer_(Answer{id, id_, std::move(result)});
+                                         }};
+    auto made = makeSession(uri_, links, environment);
+    if (!made) return fail(made.error());
+    made_ = std::move(*made);
+    made_.session->start();
+    return {};
+}
+
+Result<void> SessionSlot::performSim(const SimPerform& command) {
+    if (made_.sim == nullptr) return fail(Errc::Unsupported, command.action);
+    return made_.sim->perform(command.action, command.unit, command.value);
+}
+
+void SessionSlot::mark(MarkKind kind, TimePoint time, float value) {
+    telemetry_->mark(Mark{time, kind, kNoUnit, value});
+}
+
+void SessionSlot::markEvent(const SystemEvent& event) {
+    const auto mark = std::visit([](const auto& own) { return markOf(own); }, event);
+    if (mark) telemetry_->mark(*mark);
+}
+
+SessionSnapshot SessionSlot::snapshot() const {
+    SessionSnapshot snapshot;
+    snapshot.id = id_;
+    snapshot.uri = uri_;
+    if (made_.sim != nullptr) snapshot.simActions = made_.sim->actions();
+    snapshot.system = made_.session->snapshot();
+    snapshot.telemetry = telemetry_;
+    return snapshot;
+}
+
+void SessionSlot::sample(SignalId signal, TimePoint time, float value) {
+    telemetry_->append({signal.unit, signal.signal}, time, value);
+}
+
+void SessionSlot::gap(SignalId signal, TimePoint time) {
+    if (TimeSeries* series = telemetry_->series({signal.unit, signal.signal})) series->gap(time);
+}
+
+}  // namespace kickstand

@@ -1,0 +1,65 @@
+#include "core/thunderbots/events.h"
+
+namespace kickstand::thunderbots {
+
+std::string_view name(EventKind kind) {
+    switch (kind) {
+        case EventKind::Connected:
+            return "connected";
+        case EventKind::Disconnected:
+            return "disconnected";
+        case EventKind::LinkLost:
+            return "link-lost";
+        case EventKind::LinkFailed:
+            return "link-failed";
+        case EventKind::Waiting:
+            return "waiting";
+        case EventKind::EmergencyStop:
+            return "emergency-stop";
+        case EventKind::Radios:
+            return "radios";
+        case EventKind::RobotFound:
+            return "robot-found";
+        case EventKind::RobotLost:
+            return "robot-lost";
+        case EventKind::BatteryLow:
+            return "battery-low";
+        case EventKind::Charged:
+            return "charged";
+        case EventKind::KickGiven:
+            return "kick-given";
+        case EventKind::KickDropped:
+            return "kick-dropped";
+        case EventKind::Autokick:
+            return "autokick";
+        case EventKind::AutokickArmed:
+            return "autokick-armed";
+        case EventKind::Charger:
+            return "charger";
+        case EventKind::HighVoltage:
+            return "high-voltage";
+        case EventKind::TestMode:
+            return "test-mode";
+        case EventKind::DischargeStarted:
+            return "discharge-started";
+        case EventKind::DischargeEnded:
+            return "discharge-ended";
+        case EventKind::ExperimentData:
+            return "experiment-data";
+        case EventKind::DongleFault:
+            return "dongle-fault";
+        case EventKind::DongleText:
+            return "dongle-text";
+        case EventKind::Malformed:
+            return "malformed";
+        case EventKind::Stalled:
+            return "stalled";
+        case EventKind::WheelLimit:
+            return "wheel-limit";
+        case EventKind::Channels:
+            return "channels";
+    }
+    return "unknown";
+}
+
+}  // namespace kickstand::thunderbots

@@ -1,0 +1,214 @@
+#include "core/thunderbots/session.h"
+
+#include <utility>
+
+#include "core/thunderbots/wire/readings.h"
+
+namespace kickstand::thunderbots {
+
+Session::Session(Host host, std::unique_ptr<UsbLink> link)
+    : host_(std::move(host)),
+      link_(std::move(link), host_.scheduler),
+      model_(host_.samples, [this](const Event& event) { modelEvent(event); }),
+      controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }) {
+    link_.addObserver(&model_);
+}
+
+void Session::start() {
+    ++version_;
+    controller_.start();
+}
+
+void Session::raise(EventKind kind, int robot, std::int64_t code, std::int64_t previous, std::string text) {
+    host_.event(Event{kind, host_.scheduler.now(), robot, code, previous, 0, std::move(text)});
+}
+
+bool Session::active() const {
+    for (const RobotDriver& driver : drivers_) {
+        if (driver.intent().active()) return true;
+    }
+    return kickOutstanding_;
+}
+
+void Session::modelEvent(const Event& event) {
+    host_.event(event);
+    if (event.kind == EventKind::RobotLost) robotLost(event.robot, event.time);
+    if (event.kind == EventKind::RobotFound) {
+        driver(event.robot).halt();
+        sendBlock(event.robot);
+    }
+    const auto run = static_cast<std::int64_t>(wire::EStop::Run);
+    if (event.kind == EventKind::EmergencyStop && event.previous == run && event.code != run &&
+        host_.stop.set(StopReason::EmergencyStop))
+        halt();
+}
+
+void Session::robotLost(int robot, TimePoint time) {
+    const bool wasActive = active();
+    if (discharger_.running(robot)) {
+        discharger_.end(robot);
+        host_.event(Event{EventKind::DischargeEnded,
+                          time,
+                          robot,
+                          static_cast<std::int64_t>(Errc::RobotNotAlive),
+                          0,
+                          model_.robot(robot).readings.capacitor_V,
+                          {}});
+    }
+    driver(robot).halt();
+    sendBlock(robot);
+    if (wasActive && model_.isOpen() && host_.stop.set(StopReason::RobotLost)) halt();
+}
+
+void Session::halt() {
+    controller_.messages().dropKicks(Errc::StopLatched);
+    haltDrivers();
+    if (controller_.state() == LinkState::Running) controller_.stateTransport().brakeAll();
+}
+
+void Session::haltDrivers() {
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (discharger_.running(robot)) {
+            discharger_.end(robot);
+            raise(EventKind::DischargeEnded, robot, static_cast<std::int64_t>(Errc::StopLatched));
+        }
+        driver(robot).halt();
+    }
+    ++version_;
+}
+
+void Session::resetConnection() {
+    haltDrivers();
+    wheelLimit_ = kStartingWheelLimit;
+    kickOutstanding_ = false;
+}
+
+void Session::stateChanged() {
+    ++version_;
+    const LinkState state = controller_.state();
+    const LinkState before = std::exchange(lastState_, state);
+    if (state == before) return;
+    if (before == LinkState::Running) {
+        resetConnection();
+        host_.stop.set(StopReason::LinkLost);
+        raise(EventKind::LinkLost);
+    }
+    if (state == LinkState::Running) {
+        ++connections_;
+        raise(EventKind::Connected);
+    } else if (state == LinkState::Searching) {
+        raise(EventKind::Waiting);
+    } else if (state == LinkState::Failed) {
+        const Error& error = *controller_.error();
+        raise(EventKind::LinkFailed, -1, static_cast<std::int64_t>(error.code), 0, error.subject);
+    }
+}
+
+void Session::step(TimePoint now, bool heartbeatFresh) {
+    model_.tick(now);
+    if (controller_.state() != LinkState::Running) {
+        heartbeatFresh_ = heartbeatFresh;
+        return;
+    }
+    brakeForStaleHeartbeat(heartbeatFresh);
+    sendRamps(now);
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (discharger_.running(robot)) stepDischarge(robot, now);
+    }
+    if (heartbeatFresh) controller_.stateTransport().keepAliveIfDue();
+}
+
+void Session::brakeForStaleHeartbeat(bool fresh) {
+    if (std::exchange(heartbeatFresh_, fresh) == fresh || fresh) return;
+    if (active()) host_.stop.set(StopReason::HeartbeatStale);
+    halt();
+}
+
+void Session::sendRamps(TimePoint now) {
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (!driver(robot).ramping()) continue;
+        driver(robot).advance(now, wheelLimit_ <= kStartingWheelLimit);
+        sendBlock(robot);
+        ++version_;
+    }
+}
+
+void Session::sendBlock(int robot) {
+    if (controller_.state() != LinkState::Running) return;
+    // The driver gives nothing that the wire has no room for: speeds are within the limit and times come
+    // encoded.
+    static_cast<void>(controller_.stateTransport().set(robot, driver(robot).block()));
+}
+
+void Session::stepDischarge(int robot, TimePoint now) {
+    using Finding = Discharger::Finding;
+    const Finding finding = discharger_.look(robot, model_.robot(robot), now);
+    switch (finding) {
+        case Finding::Wait:
+            return;
+        case Finding::Pulse:
+            if (kickOutstanding_) return;
+            discharger_.pulsed(robot, now);
+            giveKick(robot, Discharger::kPulse, [](const Result<void>&) {});
+            return;
+        case Finding::Empty:
+            endDischarge(robot, 0);
+            return;
+        case Finding::NoEffect:
+            endDischarge(robot, static_cast<std::int64_t>(Errc::NotDischarging));
+            return;
+        case Finding::Unknown:
+            endDischarge(robot, static_cast<std::int64_t>(Errc::ReadingsUnknown));
+            return;
+    }
+}
+
+void Session::endDischarge(int robot, std::int64_t code) {
+    discharger_.end(robot);
+    driver(robot).setDischarging(false);
+    ++version_;
+    host_.event(Event{EventKind::DischargeEnded,
+                      host_.scheduler.now(),
+                      robot,
+                      code,
+                      0,
+                      model_.robot(robot).readings.capacitor_V,
+                      {}});
+}
+
+void Session::shutdown(std::function<void()> done) {
+    if (controller_.state() != LinkState::Running) {
+        resetConnection();
+        controller_.close(std::move(done));
+        return;
+    }
+    halt();
+    controller_.stateTransport().whenDrained([this, done = std::move(done)](bool) {
+        raise(EventKind::Disconnected);
+        lastState_ = LinkState::Idle;
+        controller_.close(done);
+    });
+}
+
+Snapshot Session::snapshot() const {
+    Snapshot snapshot;
+    snapshot.time = host_.scheduler.now();
+    snapshot.link = controller_.state();
+    snapshot.error = controller_.error();
+    snapshot.device = controller_.device();
+    snapshot.cable = controller_.isCable();
+    snapshot.eStop = model_.status().eStop;
+    snapshot.radios = model_.status().radios;
+    snapshot.channels = model_.channels();
+    snapshot.radioVersions = model_.radioVersions();
+    snapshot.wheelLimit = wheelLimit_;
+    snapshot.traffic = model_.traffic();
+    snapshot.connections = connections_;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        snapshot.robots[static_cast<std::size_t>(robot)] = model_.robot(robot);
+        snapshot.intents[static_cast<std::size_t>(robot)] = driver(robot).intent();
+    }
+    return snapshot;
+}
+
+}  // namespace kickstand::thunderbots

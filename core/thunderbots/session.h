@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/base/session_host.h"
+#include "core/link/tapped_usb_link.h"
+#include "core/thunderbots/commands.h"
+#include "core/thunderbots/discharger.h"
+#include "core/thunderbots/dongle_controller.h"
+#include "core/thunderbots/fleet_model.h"
+#include "core/thunderbots/robot_driver.h"
+
+namespace kickstand::thunderbots {
+
+/// One connection to a fleet: the model that watches the link, the controller that works it, and between them
+/// the rules by which a person's commands may move, charge or fire anything. Engine thread.
+class Session {
+  public:
+    using Host = SessionHost<Event>;
+
+    Session(Host host, std::unique_ptr<UsbLink> link);
+
+    /// Begins to look for the device.
+    void start();
+    /// Does a command; the answer comes through the host, now or later, exactly once.
+    void execute(CommandId id, const Command& command);
+    /// The safety step, every 10 ms: ramps, keep-alives while a person's side is alive, braked blocks when it
+    /// is not.
+    void step(TimePoint now, bool heartbeatFresh);
+    /// STOP has been latched: kicks are dropped and braked blocks go to everybody.
+    void halt();
+    /// Whether anything moves, charges, is armed or discharges.
+    bool active() const;
+    /// Brakes, waits until the link has taken it, closes. `done` comes once.
+    void shutdown(std::function<void()> done);
+
+    /// Rises whenever snapshot() would show something else.
+    std::uint64_t version() const { return model_.version() + version_; }
+    Snapshot snapshot() const;
+
+  private:
+    void perform(CommandId id, const SetWheels& command);
+    void perform(CommandId id, const Brake& command);
+    void perform(CommandId id, const SetWheelLimit& command);
+    void perform(CommandId id, const SetDribbler& command);
+    void perform(CommandId id, const ArmHighVoltage& command);
+    void perform(CommandId id, const SetCharger& command);
+    void perform(CommandId id, const Kick& command);
+    void perform(CommandId id, const SetAutokick& command);
+    void perform(CommandId id, const SetTestMode& command);
+    void perform(CommandId id, const Discharge& command);
+    void perform(CommandId id, const SetChannels& command);
+
+    /// Does `one` for every robot of the mask that `check` lets pass, and answers with the first error.
+    template <class Check, class One>
+    void forRobots(CommandId id, RobotMask robots, Check check, One one);
+    Result<void> checkRunning() const;
+    Result<void> checkMayMove(int robot) const;
+    Result<void> checkHighVoltage(int robot) const;
+    Result<void> giveKick(int robot, const wire::KickTimes& times, std::function<void(Result<void>)> done);
+    void modelEvent(const Event& event);
+    void stateChanged();
+    void robotLost(int robot, TimePoint time);
+    void brakeForStaleHeartbeat(bool fresh);
+    void sendBlock(int robot);
+    void sendRamps(TimePoint now);
+    void stepDischarge(int robot, TimePoint now);
+    void endDischarge(int robot, std::int64_t code);
+    void haltDrivers();
+    void resetConnection();
+    void raise(EventKind kind, int robot = -1, std::int64_t code = 0, std::int64_t previous = 0,
+               std::string text = {});
+    RobotDriver& driver(int robot) { return drivers_[static_cast<std::size_t>(robot)]; }
+    const RobotDriver& driver(int robot) const { return drivers_[static_cast<std::size_t>(robot)]; }
+
+    Host host_;
+    TappedUsbLink link_;
+    FleetModel model_;
+    DongleController controller_;
+    std::array<RobotDriver, kRobots> drivers_;
+    Discharger discharger_;
+    int wheelLimit_ = kStartingWheelLimit;
+    bool kickOutstanding_ = false;
+    bool heartbeatFresh_ = false;
+    std::uint64_t connections_ = 0;
+    std::uint64_t version_ = 0;
+    LinkState lastState_ = LinkState::Idle;
+};
+
+}  // namespace kickstand::thunderbots
