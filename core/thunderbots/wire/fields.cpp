@@ -1,5 +1,6 @@
 #include "core/thunderbots/wire/fields.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -37,9 +38,14 @@ WireResult<void> sends(ByteView bytes) noexcept {
     return verdictOf(encode(*message));
 }
 
-WireResult<void> anyByte(ByteView bytes) noexcept {
-    const auto error = lengthFault(bytes.size(), 1, 1);
-    if (error) return tl::unexpected(*error);
+/// Of a message of fixed length, one of several that its decoder may take.
+template <std::size_t length, auto rule>
+WireResult<void> ofLength(ByteView bytes) noexcept {
+    if (const auto error = lengthFault(bytes.size(), length, length)) return tl::unexpected(*error);
+    return rule(bytes);
+}
+
+WireResult<void> anything(ByteView) noexcept {
     return {};
 }
 
@@ -70,15 +76,38 @@ constexpr std::uint8_t size(std::size_t bytes) {
 }
 
 /// A message of fixed length and its codec.
-template <auto decode, auto encode>
-constexpr MessageSpec fixed(const char* name, BitOrder order, std::size_t bytes, const char* section,
-                            const char* summary, std::span<const FieldSpec> fields) {
-    return {name,    order,   size(bytes), size(bytes),   0,
-            section, summary, fields,      reads<decode>, sends<decode, encode>};
+template <std::size_t length, auto decode, auto encode>
+constexpr MessageSpec fixed(const char* name, BitOrder order, const char* section, const char* summary,
+                            std::span<const FieldSpec> fields) {
+    return {name,
+            order,
+            size(length),
+            size(length),
+            0,
+            section,
+            summary,
+            fields,
+            ofLength<length, reads<decode>>,
+            ofLength<length, sends<decode, encode>>};
 }
 
+/// Of one variant: its decoder takes them all, so the opcode has to be looked at.
+template <FirmwareOp op, auto decode>
+WireResult<void> readsVariant(ByteView bytes) noexcept {
+    const auto message = decode(bytes);
+    if (!message) return tl::unexpected(message.error());
+    if (opOf(*message) == op) return {};
+    return tl::unexpected(fault(WireFault::UnknownKind, layout::firmware::kOpcode<op>, bytes[0]));
+}
+template <FirmwareOp op, auto decode, auto encode>
+WireResult<void> sendsVariant(ByteView bytes) noexcept {
+    const auto read = readsVariant<op, decode>(bytes);
+    return read ? sends<decode, encode>(bytes) : read;
+}
+
+template <FirmwareOp op>
 constexpr MessageSpec request(const char* name, std::size_t fewest, std::size_t most, const char* summary,
-                              std::span<const FieldSpec> fields) {
+                              std::span<const FieldSpec> fields = layout::firmware::kBareFields<op>) {
     return {name,
             kLsb,
             size(fewest),
@@ -87,12 +116,13 @@ constexpr MessageSpec request(const char* name, std::size_t fewest, std::size_t 
             "4.7",
             summary,
             fields,
-            reads<decodeFirmwareRequest>,
-            sends<decodeFirmwareRequest, encodeFirmwareRequest>};
+            readsVariant<op, decodeFirmwareRequest>,
+            sendsVariant<op, decodeFirmwareRequest, encodeFirmwareRequest>};
 }
 
+template <FirmwareOp op>
 constexpr MessageSpec response(const char* name, std::size_t fewest, std::size_t most, const char* summary,
-                               std::span<const FieldSpec> fields) {
+                               std::span<const FieldSpec> fields = layout::firmware::kBareFields<op>) {
     return {name,
             kLsb,
             size(fewest),
@@ -101,17 +131,8 @@ constexpr MessageSpec response(const char* name, std::size_t fewest, std::size_t
             "4.7",
             summary,
             fields,
-            reads<decodeFirmwareResponse>,
-            sends<decodeFirmwareResponse, encodeFirmwareResponse>};
-}
-
-template <FirmwareOp op>
-constexpr MessageSpec bareRequest(const char* name, const char* summary) {
-    return request(name, 1, 1, summary, layout::firmware::kBareFields<op>);
-}
-template <FirmwareOp op>
-constexpr MessageSpec bareResponse(const char* name, const char* summary) {
-    return response(name, 1, 1, summary, layout::firmware::kBareFields<op>);
+            readsVariant<op, decodeFirmwareResponse>,
+            sendsVariant<op, decodeFirmwareResponse, encodeFirmwareResponse>};
 }
 
 constexpr std::size_t kFewestCarriedParameters = 1 + kDefinedParameterBytes;
@@ -120,59 +141,61 @@ namespace fw = layout::firmware;
 using Op = FirmwareOp;
 
 constexpr std::array kMessages{
-    fixed<decodeDrive, encodeDrive>("thunderbots.drive", kMsb, kDriveBytes, "4.1",
-                                    "What a robot is told over and over", at::drive::kFields),
-    fixed<decodeFeedback, encodeFeedback>("thunderbots.feedback", kLsb, kFeedbackBytes, "4.3",
-                                          "What a robot says of itself", at::feedback::kFields),
-    fixed<decodeKick, encodeKick>("thunderbots.kick", kLsb, kKickBytes, "4.4", "Kick or chip once",
-                                  at::kick::kFields),
-    fixed<decodeTestMode, encodeTestMode>("thunderbots.test-mode", kLsb, kTestModeBytes, "4.5",
-                                          "What the LEDs show from now on", at::test_mode::kFields),
-    fixed<decodeIndicator, encodeIndicator>("thunderbots.autokick", kLsb, 0, "4.6",
-                                            "The robot fired its autokick", {}),
-    fixed<decodeIndicator, encodeIndicator>("thunderbots.experiment", kLsb, 1 + kExperimentPieceBytes, "4.6",
-                                            "A piece of the experiment buffer", at::experiment::kFields),
+    fixed<kDriveBytes, decodeDrive, encodeDrive>("thunderbots.drive", kMsb, "4.1",
+                                                 "What a robot is told over and over", at::drive::kFields),
+    fixed<kFeedbackBytes, decodeFeedback, encodeFeedback>(
+        "thunderbots.feedback", kLsb, "4.3", "What a robot says of itself", at::feedback::kFields),
+    fixed<kKickBytes, decodeKick, encodeKick>("thunderbots.kick", kLsb, "4.4", "Kick or chip once",
+                                              at::kick::kFields),
+    fixed<kTestModeBytes, decodeTestMode, encodeTestMode>(
+        "thunderbots.test-mode", kLsb, "4.5", "What the LEDs show from now on", at::test_mode::kFields),
+    fixed<0, decodeIndicator, encodeIndicator>("thunderbots.autokick", kLsb, "4.6",
+                                               "The robot fired its autokick", {}),
+    fixed<1 + kExperimentPieceBytes, decodeIndicator, encodeIndicator>(
+        "thunderbots.experiment", kLsb, "4.6", "A piece of the experiment buffer", at::experiment::kFields),
 
-    bareRequest<Op::EraseChip>("thunderbots.firmware-request.erase", "Erase the SPI flash"),
-    request("thunderbots.firmware-request.fill-page", 3, kMaxMessagePayload, "Put data into the page buffer",
-            fw::fill_page::kFields),
-    request("thunderbots.firmware-request.program-page", 5, 5, "Burn the page buffer",
-            fw::program_page::kFields),
-    request("thunderbots.firmware-request.block-crc", 6, 6, "Compute the CRC of a block of flash",
-            fw::block_crc::kRequestFields),
-    bareRequest<Op::ReadParameters>("thunderbots.firmware-request.read-parameters",
-                                    "Read the operational parameters"),
-    request("thunderbots.firmware-request.set-parameters", kFewestCarriedParameters, kMaxMessagePayload,
-            "Change the operational parameters until reboot", fw::kParametersFields<Op::SetParameters>),
-    bareRequest<Op::CommitParameters>("thunderbots.firmware-request.commit-parameters",
-                                      "Keep the operational parameters for good"),
-    bareRequest<Op::Reboot>("thunderbots.firmware-request.reboot", "Reboot the robot"),
-    bareRequest<Op::ReadSignatures>("thunderbots.firmware-request.signatures", "Read the build signatures"),
+    request<Op::EraseChip>("thunderbots.firmware-request.erase", 1, 1, "Erase the SPI flash"),
+    request<Op::FillPage>("thunderbots.firmware-request.fill-page", 3, kMaxMessagePayload,
+                          "Put data into the page buffer", fw::fill_page::kFields),
+    request<Op::ProgramPage>("thunderbots.firmware-request.program-page", 5, 5, "Burn the page buffer",
+                             fw::program_page::kFields),
+    request<Op::BlockCrc>("thunderbots.firmware-request.block-crc", 6, 6,
+                          "Compute the CRC of a block of flash", fw::block_crc::kRequestFields),
+    request<Op::ReadParameters>("thunderbots.firmware-request.read-parameters", 1, 1,
+                                "Read the operational parameters"),
+    request<Op::SetParameters>("thunderbots.firmware-request.set-parameters", kFewestCarriedParameters,
+                               kMaxMessagePayload, "Change the operational parameters until reboot",
+                               fw::kParametersFields<Op::SetParameters>),
+    request<Op::CommitParameters>("thunderbots.firmware-request.commit-parameters", 1, 1,
+                                  "Keep the operational parameters for good"),
+    request<Op::Reboot>("thunderbots.firmware-request.reboot", 1, 1, "Reboot the robot"),
+    request<Op::ReadSignatures>("thunderbots.firmware-request.signatures", 1, 1, "Read the build signatures"),
 
-    bareResponse<Op::EraseChip>("thunderbots.firmware-response.erase", "The SPI flash is erased"),
-    bareResponse<Op::ProgramPage>("thunderbots.firmware-response.program-page", "The page is burnt"),
-    response("thunderbots.firmware-response.block-crc", 8, 8, "The CRC of a block of flash",
-             fw::block_crc::kResponseFields),
-    response("thunderbots.firmware-response.read-parameters", kFewestCarriedParameters, kMaxMessagePayload,
-             "The operational parameters in force", fw::kParametersFields<Op::ReadParameters>),
-    bareResponse<Op::SetParameters>("thunderbots.firmware-response.set-parameters",
-                                    "The parameters are in force"),
-    bareResponse<Op::CommitParameters>("thunderbots.firmware-response.commit-parameters",
-                                       "The parameters are kept"),
-    bareResponse<Op::Reboot>("thunderbots.firmware-response.reboot", "The robot is about to reboot"),
-    response("thunderbots.firmware-response.signatures", 5, 5, "The build signatures",
-             fw::signatures::kFields),
+    response<Op::EraseChip>("thunderbots.firmware-response.erase", 1, 1, "The SPI flash is erased"),
+    response<Op::ProgramPage>("thunderbots.firmware-response.program-page", 1, 1, "The page is burnt"),
+    response<Op::BlockCrc>("thunderbots.firmware-response.block-crc", 8, 8, "The CRC of a block of flash",
+                           fw::block_crc::kResponseFields),
+    response<Op::ReadParameters>("thunderbots.firmware-response.read-parameters", kFewestCarriedParameters,
+                                 kMaxMessagePayload, "The operational parameters in force",
+                                 fw::kParametersFields<Op::ReadParameters>),
+    response<Op::SetParameters>("thunderbots.firmware-response.set-parameters", 1, 1,
+                                "The parameters are in force"),
+    response<Op::CommitParameters>("thunderbots.firmware-response.commit-parameters", 1, 1,
+                                   "The parameters are kept"),
+    response<Op::Reboot>("thunderbots.firmware-response.reboot", 1, 1, "The robot is about to reboot"),
+    response<Op::ReadSignatures>("thunderbots.firmware-response.signatures", 5, 5, "The build signatures",
+                                 fw::signatures::kFields),
 
     MessageSpec{"thunderbots.parameters", kLsb, size(kDefinedParameterBytes), size(kMaxParameterBytes), 0,
                 "4.8", "The operational parameters block", at::parameters::kFields, reads<decodeParameters>,
                 checkedParameters},
-    fixed<decodeStatus, encodeStatus>("thunderbots.status", kLsb, kStatusBytes, "3.8",
-                                      "What the dongle says of itself", at::status::kFields),
-    fixed<decodeChannels, encodeChannels>("thunderbots.channels", kLsb, kChannelsBytes, "3.3",
-                                          "The dongle's radio channels", at::channels::kFields),
-    fixed<decodeRadioVersions, encodeRadioVersions>("thunderbots.radio-versions", kLsb, kRadioVersionsBytes,
-                                                    "3.3", "The firmware versions of the dongle's radios",
-                                                    at::radio_versions::kFields),
+    fixed<kStatusBytes, decodeStatus, encodeStatus>("thunderbots.status", kLsb, "3.8",
+                                                    "What the dongle says of itself", at::status::kFields),
+    fixed<kChannelsBytes, decodeChannels, encodeChannels>(
+        "thunderbots.channels", kLsb, "3.3", "The dongle's radio channels", at::channels::kFields),
+    fixed<kRadioVersionsBytes, decodeRadioVersions, encodeRadioVersions>(
+        "thunderbots.radio-versions", kLsb, "3.3", "The firmware versions of the dongle's radios",
+        at::radio_versions::kFields),
     MessageSpec{"thunderbots.message", kLsb, 1, size(kMaxMessagePacket), 0, "3.7", "A message packet",
                 at::message::kFields, readsMessagePacket, readsMessagePacket},
     MessageSpec{"thunderbots.state-packet", kLsb, size(kFeedbackMicropacketBytes),
@@ -180,11 +203,14 @@ constexpr std::array kMessages{
                 "State transport: a list of micropackets", at::micropacket::kFields, readsMicropacket,
                 readsMicropacket},
     MessageSpec{"thunderbots.error-queue", kLsb, 1, 1, size(kPacketBytes), "3.9", "The dongle's fault codes",
-                at::error_queue::kFields, anyByte, anyByte},
+                at::error_queue::kFields, ofLength<1, anything>, ofLength<1, anything>},
 };
 
-bool isVariantOf(std::string_view message, std::string_view family) noexcept {
-    return message.size() > family.size() && message.starts_with(family) && message[family.size()] == '.';
+/// Whether a message's name is the family's, a dot, and an opcode's name; by the opcode it can be told apart.
+bool isVariantOf(const MessageSpec& message, std::string_view family) noexcept {
+    const std::string_view name = message.name;
+    return name.starts_with(family) && name.rfind('.') == family.size() && !message.fields.empty() &&
+           message.fields.front().kind == FieldKind::Opcode;
 }
 
 }  // namespace
@@ -202,12 +228,16 @@ const MessageSpec* findMessage(std::string_view name) noexcept {
 
 const MessageSpec* findMessageFor(std::string_view name, ByteView bytes) noexcept {
     if (const MessageSpec* const exact = findMessage(name)) return exact;
+    if (bytes.empty()) return nullptr;
     for (const MessageSpec& message : kMessages) {
-        if (!isVariantOf(message.name, name) || message.fields.empty() || bytes.empty()) continue;
-        const FieldSpec& first = message.fields.front();
-        if (first.kind == FieldKind::Opcode && first.lowest == bytes[0]) return &message;
+        if (isVariantOf(message, name) && message.fields.front().lowest == bytes[0]) return &message;
     }
     return nullptr;
+}
+
+bool isFamily(std::string_view name) noexcept {
+    return std::any_of(kMessages.begin(), kMessages.end(),
+                       [name](const MessageSpec& message) { return isVariantOf(message, name); });
 }
 
 std::int32_t readField(const MessageSpec& message, const FieldSpec& field, ByteView bytes) noexcept {

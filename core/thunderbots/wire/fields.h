@@ -74,6 +74,9 @@ const MessageSpec* findMessage(std::string_view name) noexcept;
 /// there is none. Any thread.
 const MessageSpec* findMessageFor(std::string_view name, ByteView bytes) noexcept;
 
+/// Whether messages() has variants of a family of that name. Any thread.
+bool isFamily(std::string_view name) noexcept;
+
 /// The number in a field that is not Bytes. The caller has checked the message's length. Any thread.
 std::int32_t readField(const MessageSpec& message, const FieldSpec& field, ByteView bytes) noexcept;
 /// Writes it; values outside the field's bits lose their high bits. The caller has checked. Any thread.

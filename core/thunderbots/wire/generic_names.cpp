@@ -1,6 +1,6 @@
 #include "core/thunderbots/wire/generic_names.h"
 
-#include <algorithm>
+#include <string_view>
 
 namespace kickstand::thunderbots::wire {
 namespace {
@@ -11,15 +11,6 @@ void appendWord(std::string& text, std::string_view word) {
 }
 
 }  // namespace
-
-bool isFamily(std::string_view name) noexcept {
-    return findMessage(name) == nullptr &&
-           std::any_of(messages().begin(), messages().end(), [name](const MessageSpec& message) {
-               const std::string_view full = message.name;
-               return full.size() > name.size() && full.starts_with(name) && full[name.size()] == '.' &&
-                      !message.fields.empty() && message.fields.front().kind == FieldKind::Opcode;
-           });
-}
 
 std::string knownMessageNames() {
     std::string names;

@@ -7,9 +7,6 @@
 
 namespace kickstand::thunderbots::wire {
 
-/// Whether messages() has variants of that name, and no message of just that name. Any thread.
-bool isFamily(std::string_view name) noexcept;
-
 /// All names of messages(), for an error that says what there is. Any thread.
 std::string knownMessageNames();
 
