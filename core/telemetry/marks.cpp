@@ -25,7 +25,7 @@ Mark Marks::markAt(std::uint64_t index) const {
 }
 
 std::uint64_t Marks::firstAtOrAfter(TimePoint time, RingWindow window) const {
-    return partitionRing(window.first, window.end,
+    return partitionRing(window.first, window.end, window.end,
                          [&](std::uint64_t index) { return TimePoint(Duration(times_.load(index))) < time; });
 }
 

@@ -39,15 +39,29 @@ class RingCells {
 };
 
 /// The first index in [first, end) whose entry does not satisfy `before`, or `end`. Entries that satisfy it
-/// come first. Gallops from `first`, so a nearby answer is cheap however long the ring.
+/// come first. Looks near `guess` first and gallops from there, so a good guess is cheap however long the
+/// ring.
 template <class Before>
-std::uint64_t partitionRing(std::uint64_t first, std::uint64_t end, Before before) {
-    std::uint64_t step = 1;
-    while (first < end && before(std::min(first + step, end) - 1)) {
-        first = std::min(first + step, end);
-        step *= 2;
+std::uint64_t partitionRing(std::uint64_t first, std::uint64_t end, std::uint64_t guess, Before before) {
+    if (first >= end) return end;
+    std::uint64_t last = std::clamp(guess, first, end - 1);
+    if (before(last)) {
+        first = last + 1;
+        for (std::uint64_t step = 1; last < end; step *= 2) {
+            last = std::min(last + step, end);
+            if (last == end || !before(last)) break;
+            first = last + 1;
+        }
+    } else {
+        for (std::uint64_t step = 1; last > first; step *= 2) {
+            const std::uint64_t probe = last - std::min(step, last - first);
+            if (before(probe)) {
+                first = probe + 1;
+                break;
+            }
+            last = probe;
+        }
     }
-    std::uint64_t last = std::min(first + step, end);
     while (first < last) {
         const std::uint64_t middle = first + (last - first) / 2;
         if (before(middle))

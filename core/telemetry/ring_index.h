@@ -49,8 +49,8 @@ class RingIndex {
         const std::uint64_t written = end();
         return {written > capacity_ ? written - capacity_ : 0, written};
     }
-    /// Whether entry `first`, or a later one, may have been overwritten before the reads that precede this
-    /// call.
+    /// Whether entry `first` may have been overwritten before the reads that precede this call. While it was
+    /// not, none after it was.
     bool overrun(std::uint64_t first) const { return first + cells_ <= end(); }
     /// Shows readers the entry that has just been stored. Writer's thread.
     void publish() { end_.store(end_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }

@@ -38,12 +38,13 @@ bool TimeSeries::append(TimePoint time, float value) {
     return true;
 }
 
-std::uint64_t TimeSeries::firstAtOrAfter(TimePoint time, std::uint64_t first, std::uint64_t end) const {
-    return partitionRing(first, end, [&](std::uint64_t index) { return timeAt(index) < time; });
+std::uint64_t TimeSeries::firstAtOrAfter(TimePoint time, std::uint64_t first, std::uint64_t end,
+                                         std::uint64_t guess) const {
+    return partitionRing(first, end, guess, [&](std::uint64_t index) { return timeAt(index) < time; });
 }
 
 std::uint64_t TimeSeries::firstAfter(TimePoint time, RingWindow window) const {
-    return partitionRing(window.first, window.end,
+    return partitionRing(window.first, window.end, window.end,
                          [&](std::uint64_t index) { return timeAt(index) <= time; });
 }
 
@@ -137,11 +138,14 @@ TimeSeries::Read<void> TimeSeries::columns(TimePoint start, Duration width, std:
     width = std::max(width, Duration(1));
     return orOverrun(index_.consistently([&](RingWindow window) -> Read<void> {
         TimePoint left = start;
-        std::uint64_t first = firstAtOrAfter(left, window.first, window.end);
+        std::uint64_t first = firstAtOrAfter(left, window.first, window.end, window.end);
+        std::uint64_t guess = first;
         for (Column& filled : out) {
             const TimePoint right = left + width;
-            const std::uint64_t end = firstAtOrAfter(right, first, window.end);
+            const std::uint64_t end = firstAtOrAfter(right, first, window.end, guess);
             filled = column(window, first, end, left);
+            // Most columns hold about as many samples as the one before.
+            guess = end + (end - first);
             left = right;
             first = end;
         }
@@ -152,8 +156,8 @@ TimeSeries::Read<void> TimeSeries::columns(TimePoint start, Duration width, std:
 TimeSeries::Read<SpanStats> TimeSeries::stats(TimePoint from, TimePoint to) const {
     if (to <= from) return tl::unexpected(Miss::NoValue);
     return orOverrun(index_.consistently([&](RingWindow window) -> Read<SpanStats> {
-        const std::uint64_t first = firstAtOrAfter(from, window.first, window.end);
-        const std::uint64_t end = firstAtOrAfter(to, first, window.end);
+        const std::uint64_t first = firstAtOrAfter(from, window.first, window.end, window.end);
+        const std::uint64_t end = firstAtOrAfter(to, first, window.end, window.end);
         const Column all = column(window, first, end, from);
         const Area sum = area(window, first, end, from, to);
         if (std::isnan(all.min) || sum.held <= Duration::zero()) return tl::unexpected(Miss::NoValue);

@@ -68,7 +68,8 @@ class TimeSeries {
   private:
     TimePoint timeAt(std::uint64_t index) const { return TimePoint(Duration(times_.load(index))); }
     Sample sampleAt(std::uint64_t index) const { return {timeAt(index), values_.load(index)}; }
-    std::uint64_t firstAtOrAfter(TimePoint time, std::uint64_t first, std::uint64_t end) const;
+    std::uint64_t firstAtOrAfter(TimePoint time, std::uint64_t first, std::uint64_t end,
+                                 std::uint64_t guess) const;
     std::uint64_t firstAfter(TimePoint time, RingWindow window) const;
     Sample nearestOf(std::uint64_t first, std::uint64_t end, TimePoint time) const;
     Column column(RingWindow window, std::uint64_t first, std::uint64_t end, TimePoint start) const;

@@ -104,19 +104,29 @@ TEST(RingIndex, CopyFromBeyondTheEndBringsNothing) {
     EXPECT_EQ(copied.next, 5U);
 }
 
-TEST(PartitionRing, FindsTheBorderWhereverItIs) {
-    for (std::uint64_t first = 0; first < 4; ++first)
+TEST(PartitionRing, FindsTheBorderWhereverItIsAndWhateverTheGuess) {
+    for (std::uint64_t first = 0; first < 3; ++first)
         for (std::uint64_t end = first; end < first + 40; ++end)
             for (std::uint64_t border = first; border <= end; ++border)
-                EXPECT_EQ(partitionRing(first, end, [&](std::uint64_t i) { return i < border; }), border);
+                for (std::uint64_t guess = 0; guess < end + 2; ++guess) {
+                    const auto found = partitionRing(first, end, guess, [&](std::uint64_t i) {
+                        EXPECT_TRUE(i >= first && i < end) << "looked outside of its range";
+                        return i < border;
+                    });
+                    ASSERT_EQ(found, border) << first << ' ' << end << ' ' << guess;
+                }
 }
 
-TEST(PartitionRing, LooksAtNothingOutsideItsRange) {
-    const auto border = partitionRing(5, 5, [](std::uint64_t) -> bool {
-        ADD_FAILURE() << "there is nothing to look at";
-        return true;
-    });
-    EXPECT_EQ(border, 5U);
+TEST(PartitionRing, AGoodGuessCostsTwoLooks) {
+    for (std::uint64_t border = 1; border < 10'000; border += 100) {
+        int looks = 0;
+        const auto found = partitionRing(0, 10'000, border, [&](std::uint64_t i) {
+            ++looks;
+            return i < border;
+        });
+        EXPECT_EQ(found, border);
+        EXPECT_LE(looks, 2);
+    }
 }
 
 TEST(ValuePyramid, GivesTheExtremesOfEveryStretch) {
