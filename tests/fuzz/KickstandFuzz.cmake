@@ -1,0 +1,18 @@
+# kickstand_fuzz(NAME SOURCES file... DEPENDS target...)
+# A fuzz target, and the ctest test fuzz_replay_NAME that runs it once on every file of corpus/NAME. With
+# KICKSTAND_FUZZ the program fuzz_NAME is libFuzzer's, which goes on looking; otherwise it only replays.
+function(kickstand_fuzz name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  set(target fuzz_${name})
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE kickstand_options ${ARG_DEPENDS})
+  set(corpus "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}")
+  if(KICKSTAND_FUZZ)
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    add_test(NAME fuzz_replay_${name} COMMAND ${target} -runs=0 "${corpus}")
+  else()
+    target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests/fuzz/replay_main.cpp")
+    add_test(NAME fuzz_replay_${name} COMMAND ${target} "${corpus}")
+  endif()
+  set_tests_properties(fuzz_replay_${name} PROPERTIES TIMEOUT 60 LABELS fuzz)
+endfunction()

@@ -1,0 +1,12 @@
+#include <array>
+
+#include "core/thunderbots/wire/test_mode.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace kickstand;
+using namespace kickstand::thunderbots::wire;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    fuzz::requireEcho({data, size}, decodeTestMode, encodeTestMode);
+    return 0;
+}
