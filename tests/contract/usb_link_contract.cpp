@@ -26,11 +26,15 @@ Bytes packet(std::size_t size, std::uint8_t first = 0) {
 
 void UsbLinkContract::SetUp() {
     rig_ = GetParam().make();
+    makeLink();
+}
+
+void UsbLinkContract::makeLink() {
     rig_->onLink([this] {
+        link_.reset();
         link_ = rig_->makeLink();
         link_->setPresenceListener([this](bool present) { presence_.push_back(present); });
     });
-    rig_->settle();
 }
 
 void UsbLinkContract::TearDown() {
@@ -169,7 +173,7 @@ TEST_P(UsbLinkContract, OpenStartsTheDeviceAfresh) {
 
 TEST_P(UsbLinkContract, OpenWithoutDeviceSaysSo) {
     rig_->onDevice([](Device& device) { device.unplug(); });
-    rig_->settle();
+    makeLink();
     const auto opened = tryOpen();
     ASSERT_FALSE(opened.has_value());
     EXPECT_EQ(opened.error().code, Errc::NoDevice);
@@ -493,9 +497,7 @@ TEST_P(UsbLinkContract, UnplugEndsEverythingWithNoDeviceAndThenSaysSo) {
         EXPECT_EQ(presence_, std::vector<bool>{false});
         EXPECT_EQ(link_->submitOut(Device::kFastOut, {}, {}).error().code, Errc::NotConnected);
     });
-    const auto opened = tryOpen();
-    ASSERT_FALSE(opened.has_value());
-    EXPECT_EQ(opened.error().code, Errc::NoDevice);
+    EXPECT_FALSE(tryOpen().has_value());
 }
 
 TEST_P(UsbLinkContract, UnplugWithNothingPendingIsNoticed) {
@@ -522,7 +524,8 @@ TEST_P(UsbLinkContract, AReplugIsToldAndTheLinkOpensAgain) {
 
 TEST_P(UsbLinkContract, ADeviceThatAppearsIsToldBeforeTheFirstOpen) {
     rig_->onDevice([](Device& device) { device.unplug(); });
-    rig_->settle();
+    makeLink();
+    EXPECT_FALSE(tryOpen().has_value());
     rig_->onDevice([](Device& device) { device.plug(); });
     ASSERT_TRUE(waitForPresence(1));
     rig_->onLink(

@@ -23,6 +23,8 @@ class UsbLinkContract : public ::testing::TestWithParam<UsbRigFactory> {
     void SetUp() override;
     void TearDown() override;
 
+    /// Makes the link, anew where there is one.
+    void makeLink();
     /// Opens and waits; a failure fails the test.
     UsbDeviceInfo open();
     /// Opens and waits for however it ends.
