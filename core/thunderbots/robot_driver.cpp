@@ -42,8 +42,9 @@ Result<void> RobotDriver::setWheels(const WheelSpeeds& wheels, bool held, int li
     if (!intent_.run) {
         exact_.fill(0);
         intent_.commanded.fill(0);
-        advancedAt_ = now;
     }
+    // Time spent at a steady speed is no credit for the ramp to the next one.
+    if (!ramping()) advancedAt_ = now;
     intent_.run = true;
     intent_.target = wheels;
     return {};
