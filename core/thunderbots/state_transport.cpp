@@ -30,7 +30,11 @@ void StateTransport::close() {
     dirty_ = 0;
     stallsInRow_ = 0;
     wanted_.fill(wire::brakedBlock());
-    tellDrained(false);
+    while (!drained_.empty()) {
+        const auto drained = std::move(drained_.front());
+        drained_.pop_front();
+        drained(false);
+    }
 }
 
 Result<void> StateTransport::set(int robot, const wire::DriveBlock& block) {
@@ -60,18 +64,28 @@ bool StateTransport::keepAliveIfDue() {
 }
 
 void StateTransport::whenDrained(std::function<void(bool)> drained) {
-    drained_ = std::move(drained);
-    if (dirty_ == 0 && !inFlight_) tellDrained(open_);
+    if (!open_) {
+        drained(false);
+        return;
+    }
+    drained_.push_back(std::move(drained));
+    tellIfDrained();
 }
 
-void StateTransport::tellDrained(bool taken) {
-    if (const auto drained = std::exchange(drained_, {})) drained(taken);
+void StateTransport::tellIfDrained() {
+    // One at a time: what is told may end the connection, and then the rest has been told so already.
+    while (open_ && dirty_ == 0 && !inFlight_ && !drained_.empty()) {
+        const auto drained = std::move(drained_.front());
+        drained_.pop_front();
+        drained(true);
+    }
 }
 
 void StateTransport::pump() {
     if (!open_ || inFlight_ || dirty_ == 0) return;
     wire::StatePacketBuilder packet;
     RobotMask robots = 0;
+    int last = next_;
     for (int i = 0; i < kRobots && !packet.full(); ++i) {
         const int robot = (next_ + i) % kRobots;
         if (!contains(dirty_, robot)) continue;
@@ -79,9 +93,9 @@ void StateTransport::pump() {
         const auto& block = stopped ? wire::brakedBlock() : wanted_[static_cast<std::size_t>(robot)];
         // set() has encoded every block before: it fits, and five of them fit a packet.
         if (packet.add(static_cast<std::uint8_t>(robot), block)) robots |= maskOf(robot);
+        last = robot;
     }
-    while (contains(robots, next_))
-        next_ = (next_ + 1) % kRobots;
+    next_ = (last + 1) % kRobots;
     dirty_ &= static_cast<RobotMask>(~robots);
     submit(packet.packet(), robots);
 }
@@ -107,7 +121,7 @@ void StateTransport::completed(std::uint64_t connection, RobotMask robots, const
             stallsInRow_ = 0;
             lastSent_ = scheduler_.now();
             pump();
-            if (!inFlight_) tellDrained(true);
+            tellIfDrained();
             return;
         case UsbStatus::Cancelled:
         case UsbStatus::NoDevice:
@@ -132,6 +146,7 @@ void StateTransport::stalled(RobotMask robots) {
         if (connection != connection_) return;
         inFlight_ = false;
         pump();
+        tellIfDrained();
     });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <functional>
 #include <optional>
 
@@ -37,7 +38,7 @@ class StateTransport {
     /// Sends an empty packet when nothing has gone for 300 ms (protocol 3.5). True when it did.
     bool keepAliveIfDue();
     /// Calls back once: true when everything set so far has been taken by the link (at once where there is
-    /// nothing), false when the connection ended before.
+    /// nothing), false when the connection ended before. Several may wait; they are told in their order.
     void whenDrained(std::function<void(bool taken)> drained);
 
   private:
@@ -45,7 +46,7 @@ class StateTransport {
     void submit(ByteView packet, RobotMask robots);
     void completed(std::uint64_t connection, RobotMask robots, const UsbCompletion& completion);
     void stalled(RobotMask robots);
-    void tellDrained(bool taken);
+    void tellIfDrained();
 
     UsbLink& link_;
     Scheduler& scheduler_;
@@ -59,7 +60,7 @@ class StateTransport {
     int stallsInRow_ = 0;
     std::uint64_t connection_ = 0;  ///< Tells late completions of an earlier connection apart.
     TimePoint lastSent_{};
-    std::function<void(bool)> drained_;
+    std::deque<std::function<void(bool)>> drained_;
 };
 
 }  // namespace kickstand::thunderbots
