@@ -1,5 +1,6 @@
 #include "core/thunderbots/message_pipe.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/thunderbots/retry.h"
@@ -23,6 +24,10 @@ Error droppedError(const OutMessage& message, Errc why) {
 MessagePipe::MessagePipe(UsbLink& link, Scheduler& scheduler, const StopLatch& stop,
                          std::function<void(Error)> failed)
     : link_(link), scheduler_(scheduler), stop_(stop), failed_(std::move(failed)) {}
+
+MessagePipe::~MessagePipe() {
+    scheduler_.cancel(expiry_);
+}
 
 void MessagePipe::open() {
     open_ = true;
@@ -52,6 +57,7 @@ Result<void> MessagePipe::push(const OutMessage& message, Done done) {
                                                   message.payload.view());
     if (!packet) return fail(wire::toError(packet.error(), "message"));
     queue_.push_back({message, *packet, std::move(done), std::nullopt});
+    watchExpiry();
     pump();
     return {};
 }
@@ -77,41 +83,53 @@ void MessagePipe::pump() {
             continue;
         }
         inFlight_ = *submitted;
-        watchFront();
     }
 }
 
-void MessagePipe::watchFront() {
+void MessagePipe::watchExpiry() {
     scheduler_.cancel(std::exchange(expiry_, 0));
-    if (const auto expires = queue_.front().message.expires)
-        expiry_ = scheduler_.callAt(*expires, [this] { cancelFront(Errc::KickExpired); });
+    std::optional<TimePoint> next;
+    for (const Entry& entry : queue_) {
+        if (!entry.message.expires || entry.cancelledFor) continue;
+        next = next ? std::min(*next, *entry.message.expires) : *entry.message.expires;
+    }
+    if (next) expiry_ = scheduler_.callAt(*next, [this] { dropExpired(); });
 }
 
-void MessagePipe::cancelFront(Errc why) {
-    if (inFlight_ == 0 || queue_.empty()) return;
-    queue_.front().cancelledFor = why;
-    link_.cancel(inFlight_);
+void MessagePipe::dropExpired() {
+    expiry_ = 0;
+    const TimePoint now = scheduler_.now();
+    drop(Errc::KickExpired,
+         [now](const OutMessage& message) { return message.expires && now >= *message.expires; });
+    watchExpiry();
 }
 
 void MessagePipe::dropKicks(Errc why) {
+    drop(why, [](const OutMessage& message) { return message.pipe == wire::Pipe::Kick; });
+}
+
+template <class Meant>
+void MessagePipe::drop(Errc why, Meant meant) {
     std::deque<Entry> kept;
     std::deque<Entry> dropped;
-    const bool frontOnItsWay = inFlight_ != 0 || clearing_;
-    for (std::size_t i = 0; i < queue_.size(); ++i) {
-        Entry& entry = queue_[i];
-        const bool keep = entry.message.pipe != wire::Pipe::Kick || (i == 0 && frontOnItsWay);
-        (keep ? kept : dropped).push_back(std::move(entry));
+    for (Entry& entry : queue_) {
+        const bool onItsWay = inFlight_ != 0 && &entry == &queue_.front();
+        if (onItsWay && meant(entry.message) && !entry.cancelledFor) {
+            // It may have gone already: how it ended is told when the transfer ends.
+            entry.cancelledFor = why;
+            link_.cancel(inFlight_);
+        }
+        (meant(entry.message) && !onItsWay ? dropped : kept).push_back(std::move(entry));
     }
     queue_.swap(kept);
-    if (frontOnItsWay && !queue_.empty() && queue_.front().message.pipe == wire::Pipe::Kick) cancelFront(why);
     for (Entry& entry : dropped)
         entry.done(fail(droppedError(entry.message, why)));
 }
 
 void MessagePipe::finishFront(Result<void> result) {
-    scheduler_.cancel(std::exchange(expiry_, 0));
     const Entry entry = std::move(queue_.front());
     queue_.pop_front();
+    watchExpiry();
     entry.done(std::move(result));
 }
 

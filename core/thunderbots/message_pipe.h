@@ -31,6 +31,9 @@ class MessagePipe {
 
     MessagePipe(UsbLink& link, Scheduler& scheduler, const StopLatch& stop,
                 std::function<void(Error)> failed);
+    ~MessagePipe();
+    MessagePipe(const MessagePipe&) = delete;
+    MessagePipe& operator=(const MessagePipe&) = delete;
 
     void open();
     /// Ends every message with `why`.
@@ -55,8 +58,10 @@ class MessagePipe {
     void completed(std::uint64_t connection, const UsbCompletion& completion);
     void retryStalled();
     void finishFront(Result<void> result);
-    void watchFront();
-    void cancelFront(Errc why);
+    void dropExpired();
+    void watchExpiry();
+    template <class Meant>
+    void drop(Errc why, Meant meant);
 
     UsbLink& link_;
     Scheduler& scheduler_;
