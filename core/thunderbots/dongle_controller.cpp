@@ -47,6 +47,11 @@ DongleController::DongleController(Scheduler& scheduler, UsbLink& link, const St
     link_.setPresenceListener([this](bool present) { presence(present); });
 }
 
+DongleController::~DongleController() {
+    scheduler_.cancel(deadline_);
+    scheduler_.cancel(retry_);
+}
+
 void DongleController::setState(LinkState state) {
     state_ = state;
     changed_();
@@ -62,15 +67,22 @@ void DongleController::openLink() {
     scheduler_.cancel(std::exchange(retry_, 0));
     const std::uint64_t attempt = ++attempt_;
     if (!error_) state_ = LinkState::Opening;
+    opening_ = true;
+    appeared_ = false;
     link_.open([this, attempt](Result<UsbDeviceInfo> result) { opened(attempt, std::move(result)); });
 }
 
 void DongleController::opened(std::uint64_t attempt, Result<UsbDeviceInfo> result) {
+    opening_ = false;
     if (attempt != attempt_ || !wanted_) return;
     if (!result) {
         const Errc code = result.error().code;
         if (code == Errc::NoDevice || code == Errc::Disconnected) {
             error_.reset();
+            if (appeared_) {
+                openLink();
+                return;
+            }
             setState(LinkState::Searching);
             return;
         }
@@ -110,11 +122,18 @@ void DongleController::retryLater() {
 void DongleController::presence(bool present) {
     if (!wanted_) return;
     if (present) {
-        if (state_ == LinkState::Searching || state_ == LinkState::Failed) openLink();
+        if (opening_) {
+            // The answer on its way may still be about the time before.
+            appeared_ = true;
+        } else if (state_ == LinkState::Searching || state_ == LinkState::Failed) {
+            openLink();
+        }
         return;
     }
     ++attempt_;
     stopTransfers(Error{.code = Errc::Disconnected});
+    // Whoever waited for the last blocks may have closed it.
+    if (!wanted_) return;
     error_.reset();
     setState(LinkState::Searching);
 }
@@ -214,6 +233,7 @@ void DongleController::giveUp(Error error) {
     if (state_ == LinkState::Failed || state_ == LinkState::Idle) return;
     ++attempt_;
     stopTransfers(error);
+    if (!wanted_) return;
     error_ = std::move(error);
     link_.close([] {});
     setState(LinkState::Failed);

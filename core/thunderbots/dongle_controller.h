@@ -14,10 +14,13 @@ namespace kickstand::thunderbots {
 /// recovery, replug (protocol 3.4). It decides nothing about robots: that is the session's. Engine thread.
 class DongleController {
   public:
-    /// `changed` is called after every change of state(); no call of it comes from inside a call to this
-    /// object's methods, except close().
+    /// `changed` is called after every change of state(), except for those that start() and close() make; no
+    /// call of it comes from inside a call to this object's methods.
     DongleController(Scheduler& scheduler, UsbLink& link, const StopLatch& stop,
                      std::function<void()> changed);
+    ~DongleController();
+    DongleController(const DongleController&) = delete;
+    DongleController& operator=(const DongleController&) = delete;
 
     /// Looks for the device and starts it up, now and after every replug, until close(). `channels` are set
     /// once.
@@ -60,6 +63,8 @@ class DongleController {
     UsbDeviceInfo device_;
     std::optional<wire::Channels> channels_;
     bool wanted_ = false;        ///< Between start() and close().
+    bool opening_ = false;       ///< The link has been asked to open and has not answered.
+    bool appeared_ = false;      ///< A device appeared meanwhile.
     std::uint64_t attempt_ = 0;  ///< Tells late answers of an earlier attempt apart.
     TimerId deadline_ = 0;
     TimerId retry_ = 0;
