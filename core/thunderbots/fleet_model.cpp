@@ -76,6 +76,7 @@ void FleetModel::connectionEnded(TimePoint time) {
     open_ = false;
     refreshLive(time);
     tellMalformed(time);
+    if (!text_.empty()) raise(EventKind::DongleText, time, 0, 0, std::exchange(text_, {}));
     status_ = {};
 }
 

@@ -177,8 +177,11 @@ void Session::endDischarge(int robot, std::int64_t code) {
 }
 
 void Session::shutdown(std::function<void()> done) {
+    ending_ = true;
     if (controller_.state() != LinkState::Running) {
         resetConnection();
+        lastState_ = LinkState::Idle;
+        ++version_;
         controller_.close(std::move(done));
         return;
     }
@@ -186,6 +189,7 @@ void Session::shutdown(std::function<void()> done) {
     controller_.stateTransport().whenDrained([this, done = std::move(done)](bool) {
         raise(EventKind::Disconnected);
         lastState_ = LinkState::Idle;
+        ++version_;
         controller_.close(done);
     });
 }

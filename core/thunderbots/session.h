@@ -32,7 +32,8 @@ class Session {
     void halt();
     /// Whether anything moves, charges, is armed or discharges.
     bool active() const;
-    /// Brakes, waits until the link has taken it, closes. `done` comes once.
+    /// Brakes, waits until the link has taken it, closes. `done` comes once. Commands are refused from here
+    /// on.
     void shutdown(std::function<void()> done);
 
     /// Rises whenever snapshot() would show something else.
@@ -83,6 +84,8 @@ class Session {
     int wheelLimit_ = kStartingWheelLimit;
     bool kickOutstanding_ = false;
     bool heartbeatFresh_ = false;
+    bool restarting_ = false;  ///< Braking for a new start of the radios: takes no commands.
+    bool ending_ = false;      ///< shutdown() has been called: nothing begins any more.
     std::uint64_t connections_ = 0;
     std::uint64_t version_ = 0;
     LinkState lastState_ = LinkState::Idle;

@@ -47,7 +47,7 @@ void Session::execute(CommandId id, const Command& command) {
 }
 
 Result<void> Session::checkRunning() const {
-    if (controller_.state() != LinkState::Running) return fail(Errc::NotConnected);
+    if (controller_.state() != LinkState::Running || restarting_ || ending_) return fail(Errc::NotConnected);
     return {};
 }
 
@@ -69,7 +69,8 @@ template <class Check, class One>
 void Session::forRobots(CommandId id, RobotMask robots, Check check, One one) {
     Result<void> answer = checkRunning();
     if (answer && robots == 0) answer = fail(Errc::BadArgument, "robots");
-    for (int robot = 0; robot < kRobots && controller_.state() == LinkState::Running; ++robot) {
+    if (!answer) robots = 0;
+    for (int robot = 0; robot < kRobots; ++robot) {
         if (!contains(robots, robot)) continue;
         Result<void> done = check(robot);
         if (done) done = one(robot);
@@ -191,8 +192,11 @@ void Session::perform(CommandId id, const SetAutokick& command) {
 
 void Session::perform(CommandId id, const SetTestMode& command) {
     const auto encoded = wire::encodeTestMode(command.mode);
-    const auto check = [this, &encoded](int robot) -> Result<void> {
+    const auto check = [this, &command, &encoded](int robot) -> Result<void> {
         if (!encoded) return fail(wire::toError(encoded.error(), "test mode"));
+        // Nothing but braked blocks goes while STOP is latched; a message is shown and moves nothing.
+        if (command.way == TestModeWay::DriveBlock && host_.stop.isSet())
+            return fail(about(robot, Errc::StopLatched));
         if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
         return {};
     };
@@ -288,15 +292,19 @@ void Session::perform(CommandId id, const SetChannels& command) {
         return;
     }
     halt();
+    restarting_ = true;
     controller_.stateTransport().whenDrained([this, id, channels](bool taken) {
-        if (!taken) {
+        restarting_ = false;
+        if (!taken || ending_) {
             host_.answer(id, fail(Errc::Disconnected));
             return;
         }
         raise(EventKind::Channels, -1, channels.channel0, channels.channel1);
         resetConnection();
         lastState_ = LinkState::Idle;
-        controller_.close([this, channels] { controller_.start(channels); });
+        controller_.close([this, channels] {
+            if (!ending_) controller_.start(channels);
+        });
         host_.answer(id, {});
     });
 }
