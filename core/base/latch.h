@@ -23,16 +23,29 @@ class StopLatch {
   public:
     /// Sets the latch. The first reason stays until re-armed. True when it was not set before.
     bool set(StopReason reason) {
-        StopReason expected = StopReason::None;
-        return reason_.compare_exchange_strong(expected, reason);
+        std::uint64_t before = state_.load();
+        const auto bits = static_cast<std::uint64_t>(reason);
+        do {
+            if ((before & kReason) != 0) return false;
+        } while (!state_.compare_exchange_weak(
+            before, ((before >> kCountAt) + 1) << kCountAt | bits << kLastAt | bits));
+        return true;
     }
-    bool isSet() const { return reason_.load() != StopReason::None; }
-    StopReason reason() const { return reason_.load(); }
+    bool isSet() const { return reason() != StopReason::None; }
+    StopReason reason() const { return static_cast<StopReason>(state_.load() & kReason); }
+    /// How often it has been set, and why the last time: a STOP that was re-armed before anybody came to look
+    /// still shows here.
+    std::uint64_t stops() const { return state_.load() >> kCountAt; }
+    StopReason lastReason() const { return static_cast<StopReason>(state_.load() >> kLastAt & kReason); }
     /// Re-arms: a separate act of a person, never of the program.
-    void rearm() { reason_.store(StopReason::None); }
+    void rearm() { state_.fetch_and(~kReason); }
 
   private:
-    std::atomic<StopReason> reason_{StopReason::None};
+    // One word, so that the reason, the one before it and the count never contradict each other.
+    static constexpr std::uint64_t kReason = 0xFF;
+    static constexpr int kLastAt = 8;
+    static constexpr int kCountAt = 16;
+    std::atomic<std::uint64_t> state_{0};
 };
 
 }  // namespace kickstand

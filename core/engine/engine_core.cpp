@@ -18,7 +18,7 @@ EngineCore::EngineCore(Scheduler& scheduler, LinkProvider& links, const EngineOp
 }
 
 EngineCore::~EngineCore() {
-    if (stepTimer_ != 0) scheduler_.cancel(stepTimer_);
+    endSessions();
 }
 
 void EngineCore::start() {
@@ -29,6 +29,8 @@ void EngineCore::step() {
     const TimePoint now = scheduler_.now();
     stepTimer_ = scheduler_.callAt(now + kSafetyStep, [this] { step(); });
     takeCommands();
+    if (answersLost_ > 0)
+        note({EngineNote::Kind::AnswersLost, now, StopReason::None, std::exchange(answersLost_, 0), {}});
     const bool fresh = flows_.heartbeat.fresh(now, options_.heartbeatLimit);
     if (std::exchange(heartbeatFresh_, fresh) != fresh) ++ownVersion_;
     for (const auto& slot : sessions_)
@@ -39,6 +41,8 @@ void EngineCore::step() {
 }
 
 void EngineCore::takeCommands() {
+    // A STOP from before these commands comes before them.
+    latchChanged();
     // What arrives while these are done waits for its own turn: a step stays short.
     for (std::size_t left = flows_.commands.size(); left > 0; --left) {
         if (auto command = flows_.commands.tryPop()) execute(*command);
@@ -52,6 +56,10 @@ std::size_t EngineCore::find(SessionId id) const {
 }
 
 void EngineCore::execute(Command& command) {
+    if (ending_) {
+        answer({command.id, command.session, fail(Errc::NotConnected)});
+        return;
+    }
     if (const auto* body = std::get_if<Connect>(&command.body)) {
         answer({command.id, command.session, connect(command.session, body->uri)});
         return;
@@ -73,6 +81,7 @@ void EngineCore::execute(Command& command) {
 }
 
 Result<void> EngineCore::connect(SessionId id, const LinkUri& uri) {
+    if (id == 0 || find(id) != sessions_.size()) return fail(Errc::BadArgument, "session");
     auto slot = std::make_unique<SessionSlot>(
         id, uri, [this](EngineEvent event) { flows_.events.append(std::move(event)); },
         [this](Answer given) { answer(std::move(given)); });
@@ -85,19 +94,28 @@ Result<void> EngineCore::connect(SessionId id, const LinkUri& uri) {
 }
 
 void EngineCore::disconnect(CommandId id, std::size_t at) {
-    closing_.push_back(std::move(sessions_[at]));
+    SessionSlot* slot = sessions_[at].get();
+    // What it counted is kept, so that the sum of all versions never comes to what was published before.
+    ownVersion_ += slot->session().version() + 1;
+    const TimerId deadline = scheduler_.callAfter(options_.shutdownLimit, [this, slot] { closed(slot); });
+    closing_.push_back({std::move(sessions_[at]), id, deadline});
     sessions_.erase(sessions_.begin() + static_cast<std::ptrdiff_t>(at));
-    ++ownVersion_;
-    SessionSlot* slot = closing_.back().get();
-    slot->session().shutdown([this, slot, id] {
-        const SessionId session = slot->id();
-        note({EngineNote::Kind::SessionClosed, scheduler_.now(), StopReason::None, 0, {}}, session);
-        answer({id, session, {}});
-        // Not from inside its own call: the slot goes when that has returned.
-        scheduler_.post([this, slot, alive = std::weak_ptr(alive_)] {
-            if (alive.expired()) return;
-            std::erase_if(closing_, [slot](const auto& closing) { return closing.get() == slot; });
-        });
+    slot->session().shutdown([this, slot] { closed(slot); });
+}
+
+void EngineCore::closed(const SessionSlot* slot) {
+    const auto found = std::find_if(closing_.begin(), closing_.end(), [slot](const Closing& closing) {
+        return closing.slot.get() == slot && closing.command;
+    });
+    if (found == closing_.end()) return;
+    scheduler_.cancel(found->deadline);
+    note({EngineNote::Kind::SessionClosed, scheduler_.now(), StopReason::None, 0, {}}, slot->id());
+    answer({std::exchange(found->command, 0), slot->id(), {}});
+    oneShutDown();
+    // Not from inside its own call: the slot goes when that has returned.
+    scheduler_.post([this, slot, alive = std::weak_ptr(alive_)] {
+        if (alive.expired()) return;
+        std::erase_if(closing_, [slot](const Closing& closing) { return closing.slot.get() == slot; });
     });
 }
 
@@ -113,29 +131,31 @@ void EngineCore::discover(CommandId id) {
 }
 
 void EngineCore::latchChanged() {
-    const bool stopped = flows_.stop.isSet();
-    if (stopped == stopSeen_) return;
-    stopSeen_ = stopped;
-    ++ownVersion_;
-    const StopReason reason = flows_.stop.reason();
-    const TimePoint now = scheduler_.now();
-    if (stopped) {
+    // By count: a STOP that was re-armed before this thread came to look halts everything all the same.
+    const std::uint64_t stops = flows_.stop.stops();
+    if (std::exchange(stopsSeen_, stops) != stops) {
         for (const auto& slot : sessions_)
             slot->session().halt();
+        stopTold_ = true;
+        tellLatch(EngineNote::Kind::Stopped, flows_.stop.lastReason());
     }
+    if (stopTold_ && !flows_.stop.isSet()) {
+        stopTold_ = false;
+        tellLatch(EngineNote::Kind::Rearmed, StopReason::None);
+    }
+}
+
+void EngineCore::tellLatch(EngineNote::Kind kind, StopReason reason) {
+    ++ownVersion_;
+    const TimePoint now = scheduler_.now();
     for (const auto& slot : sessions_)
-        slot->mark(stopped ? MarkKind::Stop : MarkKind::Rearmed, now, static_cast<float>(reason));
-    note({stopped ? EngineNote::Kind::Stopped : EngineNote::Kind::Rearmed, now, reason, 0, {}});
+        slot->mark(kind == EngineNote::Kind::Stopped ? MarkKind::Stop : MarkKind::Rearmed, now,
+                   static_cast<float>(reason));
+    note({kind, now, reason, 0, {}});
     publishIfChanged();
 }
 
 void EngineCore::answer(Answer given) {
-    if (answersLost_ > 0 && flows_.answers.size() < flows_.answers.capacity())
-        note({EngineNote::Kind::AnswersLost,
-              scheduler_.now(),
-              StopReason::None,
-              std::exchange(answersLost_, 0),
-              {}});
     if (!flows_.answers.tryPush(std::move(given))) ++answersLost_;
 }
 
@@ -167,28 +187,34 @@ void EngineCore::publishIfChanged() {
 }
 
 void EngineCore::shutdown(std::function<void()> done) {
-    struct Waiting {
-        std::size_t sessions = 0;
-        std::function<void()> done;
-        void finish() {
-            if (const auto call = std::exchange(done, {})) call();
-        }
-    };
-    const auto waiting = std::make_shared<Waiting>(Waiting{sessions_.size(), std::move(done)});
-    if (sessions_.empty()) {
-        waiting->finish();
+    ending_ = true;
+    shutDown_ = std::move(done);
+    toShutDown_ = sessions_.size() + static_cast<std::size_t>(std::count_if(
+                                         closing_.begin(), closing_.end(),
+                                         [](const Closing& closing) { return closing.command != 0; }));
+    if (toShutDown_ == 0) {
+        std::exchange(shutDown_, {})();
         return;
     }
-    scheduler_.callAfter(options_.shutdownLimit, [waiting] { waiting->finish(); });
-    for (const auto& slot : sessions_) {
-        slot->session().shutdown([waiting] {
-            if (--waiting->sessions == 0) waiting->finish();
-        });
-    }
+    shutdownDeadline_ = scheduler_.callAfter(options_.shutdownLimit, [this] {
+        toShutDown_ = 1;
+        oneShutDown();
+    });
+    for (const auto& slot : sessions_)
+        slot->session().shutdown([this] { oneShutDown(); });
+}
+
+void EngineCore::oneShutDown() {
+    if (!shutDown_ || --toShutDown_ > 0) return;
+    scheduler_.cancel(std::exchange(shutdownDeadline_, 0));
+    std::exchange(shutDown_, {})();
 }
 
 void EngineCore::endSessions() {
     scheduler_.cancel(std::exchange(stepTimer_, 0));
+    scheduler_.cancel(std::exchange(shutdownDeadline_, 0));
+    for (const Closing& closing : closing_)
+        scheduler_.cancel(closing.deadline);
     sessions_.clear();
     closing_.clear();
 }

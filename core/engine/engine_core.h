@@ -42,16 +42,27 @@ class EngineCore {
     void takeCommands();
     /// The latch has been set or taken back: acts on it now rather than with the next step.
     void latchChanged();
-    /// Brakes and closes every session; `done` comes once, within the options' limit.
+    /// Brakes and closes every session; `done` comes once, within the options' limit. Commands are refused
+    /// from here on. Once.
     void shutdown(std::function<void()> done);
     /// Destroys every session, without ceremony.
     void endSessions();
 
   private:
+    /// A session that is being disconnected.
+    struct Closing {
+        std::unique_ptr<SessionSlot> slot;
+        CommandId command = 0;
+        TimerId deadline = 0;
+    };
+
     void step();
     void execute(Command& command);
     Result<void> connect(SessionId id, const LinkUri& uri);
     void disconnect(CommandId id, std::size_t at);
+    void closed(const SessionSlot* slot);
+    void oneShutDown();
+    void tellLatch(EngineNote::Kind kind, StopReason reason);
     void discover(CommandId id);
     void answer(Answer answer);
     void note(EngineNote note, SessionId session = 0);
@@ -64,15 +75,20 @@ class EngineCore {
     EngineOptions options_;
     EngineFlows flows_;
     std::vector<std::unique_ptr<SessionSlot>> sessions_;
-    std::vector<std::unique_ptr<SessionSlot>> closing_;
+    std::vector<Closing> closing_;
     std::vector<FoundDevice> found_;
     bool discovered_ = false;
-    bool stopSeen_ = false;
+    std::uint64_t stopsSeen_ = 0;  ///< Of the latch's count: how many have been acted on.
+    bool stopTold_ = false;
+    bool ending_ = false;  ///< shutdown() has been called: commands are refused.
     bool heartbeatFresh_ = false;
     std::uint64_t answersLost_ = 0;
     std::uint64_t ownVersion_ = 1;
     std::uint64_t publishedVersion_ = 0;
     TimerId stepTimer_ = 0;
+    std::function<void()> shutDown_;  ///< To be called when the last session has closed.
+    std::size_t toShutDown_ = 0;
+    TimerId shutdownDeadline_ = 0;
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 
