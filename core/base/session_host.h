@@ -6,19 +6,12 @@
 #include "core/base/latch.h"
 #include "core/base/result.h"
 #include "core/base/scheduler.h"
+#include "core/base/signal_id.h"
 
 namespace kickstand {
 
 /// Identifies a command from when it is submitted until it is answered. Zero is never given out.
 using CommandId = std::uint64_t;
-
-/// Which time series a sample belongs to: a robot (or device) and one of its system's signals.
-struct SignalId {
-    std::uint16_t unit = 0;
-    std::uint16_t signal = 0;
-
-    friend auto operator<=>(const SignalId&, const SignalId&) = default;
-};
 
 /// Takes the readings of a session. Engine thread.
 class SampleSink {

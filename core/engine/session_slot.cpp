@@ -93,11 +93,11 @@ SessionSnapshot SessionSlot::snapshot() const {
 }
 
 void SessionSlot::sample(SignalId signal, TimePoint time, float value) {
-    telemetry_->append({signal.unit, signal.signal}, time, value);
+    telemetry_->append(signal, time, value);
 }
 
 void SessionSlot::gap(SignalId signal, TimePoint time) {
-    if (TimeSeries* series = telemetry_->series({signal.unit, signal.signal})) series->gap(time);
+    if (TimeSeries* series = telemetry_->series(signal)) series->gap(time);
 }
 
 }  // namespace kickstand

@@ -32,7 +32,7 @@ inline constexpr std::uint16_t kNoUnit = 0xFFFF;
 struct Mark {
     TimePoint time{};
     MarkKind kind = MarkKind::Kick;
-    std::uint16_t unit = kNoUnit;  ///< The robot, as in SeriesKey.
+    std::uint16_t unit = kNoUnit;  ///< The robot, as in SignalId.
     float value = 0;               ///< As its kind says; else 0.
 
     friend bool operator==(const Mark&, const Mark&) = default;

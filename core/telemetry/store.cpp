@@ -6,14 +6,14 @@ TelemetryStore::TelemetryStore(const TelemetryLimits& limits)
     : limits_(limits), slots_(std::make_unique<Slot[]>(limits.series)), marks_(limits.marks) {}
 
 // A walk over some hundred keys: they are few, and whoever appends keeps the pointer.
-TimeSeries* TelemetryStore::lookUp(SeriesKey key) const {
+TimeSeries* TelemetryStore::lookUp(SignalId key) const {
     const std::size_t count = size();
     for (std::size_t i = 0; i < count; ++i)
         if (slots_[i].key == key) return slots_[i].series.get();
     return nullptr;
 }
 
-TimeSeries* TelemetryStore::series(SeriesKey key) {
+TimeSeries* TelemetryStore::series(SignalId key) {
     if (TimeSeries* found = lookUp(key)) return found;
     const std::size_t count = size();
     if (count == limits_.series) {
@@ -25,7 +25,7 @@ TimeSeries* TelemetryStore::series(SeriesKey key) {
     return slots_[count].series.get();
 }
 
-bool TelemetryStore::append(SeriesKey key, TimePoint time, float value) {
+bool TelemetryStore::append(SignalId key, TimePoint time, float value) {
     TimeSeries* found = series(key);
     return found != nullptr && found->append(time, value);
 }
@@ -42,12 +42,12 @@ void TelemetryStore::gapAll(TimePoint time) {
         slots_[i].series->gap(time);
 }
 
-const TimeSeries* TelemetryStore::find(SeriesKey key) const {
+const TimeSeries* TelemetryStore::find(SignalId key) const {
     return lookUp(key);
 }
 
-std::vector<SeriesKey> TelemetryStore::keys() const {
-    std::vector<SeriesKey> result(size());
+std::vector<SignalId> TelemetryStore::keys() const {
+    std::vector<SignalId> result(size());
     for (std::size_t i = 0; i < result.size(); ++i)
         result[i] = slots_[i].key;
     return result;

@@ -6,19 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/signal_id.h"
 #include "core/telemetry/marks.h"
 #include "core/telemetry/time_series.h"
 
 namespace kickstand {
-
-/// Names one series: which robot (or device), and which of its quantities. The system gives the numbers
-/// meaning.
-struct SeriesKey {
-    std::uint16_t unit = 0;
-    std::uint16_t signal = 0;
-
-    friend auto operator<=>(const SeriesKey&, const SeriesKey&) = default;
-};
 
 /// How much a store holds.
 struct TelemetryLimits {
@@ -37,9 +29,9 @@ class TelemetryStore {
 
     /// The series of a key, made on first use; nullptr, and counted, when there are as many as may be. Keep
     /// what it gives rather than asking again for every sample. Writer's thread.
-    TimeSeries* series(SeriesKey key);
+    TimeSeries* series(SignalId key);
     /// The same to append in one call: false when it was not kept, for whichever reason. Writer's thread.
-    bool append(SeriesKey key, TimePoint time, float value);
+    bool append(SignalId key, TimePoint time, float value);
     /// Begins a gap in every series of a unit: nothing more is known of it. Writer's thread.
     void gap(std::uint16_t unit, TimePoint time);
     /// Begins a gap in every series: the link is lost. Writer's thread.
@@ -48,9 +40,9 @@ class TelemetryStore {
     void mark(const Mark& mark) { marks_.append(mark); }
 
     /// The series of a key, or nullptr while there is none. Any thread.
-    const TimeSeries* find(SeriesKey key) const;
+    const TimeSeries* find(SignalId key) const;
     /// The keys of all series in the order they were made. Any thread.
-    std::vector<SeriesKey> keys() const;
+    std::vector<SignalId> keys() const;
     /// How many series there are; they only ever become more. Any thread.
     std::size_t size() const { return count_.load(std::memory_order_acquire); }
     /// How often a series was refused for want of room. Any thread.
@@ -62,11 +54,11 @@ class TelemetryStore {
 
   private:
     struct Slot {
-        SeriesKey key;
+        SignalId key;
         std::unique_ptr<TimeSeries> series;
     };
 
-    TimeSeries* lookUp(SeriesKey key) const;
+    TimeSeries* lookUp(SignalId key) const;
 
     TelemetryLimits limits_;
     std::unique_ptr<Slot[]> slots_;

@@ -25,7 +25,7 @@ constexpr Duration kTick = std::chrono::milliseconds(5);
 constexpr std::size_t kColumns = 1100;
 constexpr int kRounds = 30;
 
-SeriesKey keyOf(std::size_t series) {
+SignalId keyOf(std::size_t series) {
     return {static_cast<std::uint16_t>(series / kSignals), static_cast<std::uint16_t>(series % kSignals)};
 }
 

@@ -24,7 +24,7 @@ TEST(TelemetryStore, ListsItsKeysInTheOrderTheyCame) {
     store.series({5, 0});
     store.series({2, 9});
     store.series({5, 0});
-    EXPECT_EQ(store.keys(), (std::vector<SeriesKey>{{5, 0}, {2, 9}}));
+    EXPECT_EQ(store.keys(), (std::vector<SignalId>{{5, 0}, {2, 9}}));
 }
 
 TEST(TelemetryStore, RefusesMoreSeriesThanItsLimitAndCountsThem) {
@@ -40,7 +40,7 @@ TEST(TelemetryStore, RefusesMoreSeriesThanItsLimitAndCountsThem) {
 
 TEST(TelemetryStore, AGapOfAUnitLeavesTheOthersAlone) {
     TelemetryStore store({.series = 8, .samples = 100, .marks = 10});
-    for (const SeriesKey key : {SeriesKey{1, 0}, SeriesKey{1, 1}, SeriesKey{2, 0}})
+    for (const SignalId key : {SignalId{1, 0}, SignalId{1, 1}, SignalId{2, 0}})
         store.append(key, TimePoint(1s), 7.0F);
     store.gap(1, TimePoint(2s));
     EXPECT_FALSE(store.find({1, 0})->at(TimePoint(2s)));

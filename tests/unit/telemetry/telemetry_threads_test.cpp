@@ -153,7 +153,7 @@ TEST(TelemetryThreads, ReadersFindSeriesWhileTheWriterMakesThem) {
     bool wrong = false;
     std::thread reader([&] {
         while (store.size() < kSeries) {
-            for (const SeriesKey key : store.keys()) {
+            for (const SignalId key : store.keys()) {
                 // A series is shown before its first sample, so it may have no value yet, but never
                 // another's.
                 const TimeSeries* found = store.find(key);
