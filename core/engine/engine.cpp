@@ -23,12 +23,12 @@ class Engine::Impl {
 
     ~Impl() {
         shutdown();
-        // Sessions end on the thread they ran on.
+        // Sessions end on the thread they ran on, after everything that was posted for them.
         onEngineThread([this](const std::function<void()>& done) {
-            core_->endSessions();
+            core_.reset();
             done();
         });
-        // First whoever may still post, then the thread that runs what was posted, then what that runs on.
+        // First whoever may still post, then the thread that runs what was posted.
         links_.reset();
         scheduler_.reset();
     }
