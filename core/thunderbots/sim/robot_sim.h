@@ -23,7 +23,7 @@ namespace kickstand::thunderbots::sim {
 struct RobotSettings {
     std::uint8_t number = 0;
     double battery_V = 16.0;
-    wire::Channels channels;
+    wire::Channels channels{};
     std::uint64_t seed = 1;
     bool noise = true;  ///< Whether its converters are off by a step now and then.
 };
