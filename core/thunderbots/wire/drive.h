@@ -23,7 +23,7 @@ struct DriveBlock {
     bool charge = false;   ///< Capacitor charger.
     bool dribble = false;  ///< Dribbler.
     bool autokickArmed = false;
-    KickTimes autokick;  ///< The kick that a ball in the beam sets off.
+    KickTimes autokick{};  ///< The kick that a ball in the beam sets off.
     /// Wheels 1-4, −1023 to 1023 quarter-degrees per 5 ms.
     std::array<std::int16_t, kWheelCount> wheels{};
     std::uint8_t testClass = 0;   ///< 0-7, as in TestClass; not 0: shown while it is sent (protocol 4.2).
