@@ -1,33 +1,11 @@
 #pragma once
 
-#include "core/base/thread_scheduler.h"
 #include "core/link/usb/libusb_link.h"
 #include "tests/contract/usb_rig.h"
+#include "tests/contract/watched_scheduler.h"
 #include "tests/support/usb/umockdev_bus.h"
 
 namespace kickstand::testing {
-
-/// A real scheduler that asks a question after each of its calls, which is what makes waiting for an answer
-/// an event.
-class WatchedScheduler final : public Scheduler {
-  public:
-    TimePoint now() const override { return inner_.now(); }
-    TimerId callAt(TimePoint when, Callback callback) override;
-    void post(Callback callback) override;
-    bool cancel(TimerId id) override { return inner_.cancel(id); }
-
-    /// Does something on the scheduler's thread and waits for its end. Not from there.
-    void run(const std::function<void()>& action);
-    /// Waits until `done`, asked on the scheduler's thread, holds. False when a watchdog had to end the wait.
-    /// Not from there.
-    bool waitUntil(const std::function<bool()>& done);
-
-  private:
-    Callback watched(Callback callback);
-
-    std::function<bool()> question_;
-    ThreadScheduler inner_;
-};
 
 /// A device on an emulated bus and unmodified libusb, each on the thread of its own real scheduler.
 class LibusbRig : public UsbRig {

@@ -16,7 +16,7 @@ struct LoopbackOptions {
     /// Polls interrupt endpoints in every frame instead of once per their interval.
     bool everyFrame = false;
     /// The place on the bus that the device claims to have.
-    std::string port;
+    std::string port{};
 };
 
 /// The host controller of a simulated device, in this process. It keeps the pace of a full-speed bus: time is
