@@ -1,0 +1,69 @@
+// The desktop program: puts engine, systems and window together.
+
+#include <QApplication>
+#include <QIcon>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/composition/composition.h"
+#include "app/kickstand/options.h"
+#include "core/engine/engine.h"
+#include "ui/shell/bench.h"
+#include "ui/shell/connector.h"
+#include "ui/shell/main_window.h"
+#include "ui/shell/signal_watch.h"
+#include "ui/shell/stop_filter.h"
+#include "ui/shell/suspend_watch.h"
+#include "ui/shell/system_view.h"
+#include "ui/shell/theme.h"
+#include "ui/thunderbots/thunderbots_view.h"
+
+namespace {
+
+using namespace kickstand;
+
+/// What can wait until the window has been painted: buses may take their time.
+void afterFirstPaint(ui::Theme& theme, ui::EngineClient& client) {
+    theme.followSystem();
+    auto* suspend = new ui::SuspendWatch(&client);
+    QObject::connect(suspend, &ui::SuspendWatch::aboutToSleep, &client,
+                     [&client] { client.stop(StopReason::Suspend); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("kickstand"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Kickstand"));
+    QApplication::setOrganizationName(QStringLiteral("kickstand"));
+    QApplication::setApplicationVersion(QStringLiteral(KICKSTAND_VERSION));
+    const app::Options options = app::readOptions(QApplication::arguments());
+
+    QSettings settings;
+    ui::Theme theme(settings);
+    if (options.theme) theme.useNow(*options.theme);
+
+    Engine engine(makeLinkProvider());
+    ui::EngineClient client(engine);
+    ui::SystemRegistry systems;
+    systems.add(std::make_unique<ui::ThunderbotsView>());
+    ui::Bench bench(client, systems, settings);
+    ui::StopFilter stopFilter([&bench] { return bench.isActive(); });
+    QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client, [&client] { client.stop(StopReason::Person); });
+
+    ui::MainWindow window(bench, theme);
+    ui::SignalWatch signalWatch;
+    QObject::connect(&signalWatch, &ui::SignalWatch::quitAsked, &window, &ui::MainWindow::closeNow);
+    if (options.links.empty()) {
+        window.connector().connectToOnlyHardware();
+    } else {
+        for (const LinkUri& link : options.links) bench.connectBeside(link);
+    }
+    window.show();
+    QTimer::singleShot(0, &client, [&theme, &client] { afterFirstPaint(theme, client); });
+    const int code = QApplication::exec();
+    engine.shutdown();
+    return code;
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QString>
+
+#include "core/link/link_uri.h"
+#include "ui/shell/theme.h"
+
+namespace kickstand::app {
+
+/// What the program was asked for on its command line.
+struct Options {
+    std::vector<LinkUri> links;
+    std::optional<QString> tourFolder;
+    std::optional<ui::ThemeChoice> theme;
+};
+
+/// Reads the command line. --help and --version end the program here with exit code 0, nonsense with one line on standard
+/// error and exit code 2.
+Options readOptions(const QStringList& arguments);
+
+}  // namespace kickstand::app

@@ -1,0 +1,94 @@
+#include <array>
+
+#include "app/kickstandctl/families.h"
+#include "app/kickstandctl/json.h"
+#include "app/kickstandctl/output.h"
+#include "app/kickstandctl/session_runner.h"
+#include "app/kickstandctl/words.h"
+
+namespace kickstand::ctl {
+namespace {
+
+/// Opens one link, which brakes all robots, and leaves them braked.
+QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<Failure>& failure) {
+    const QString link = QString::fromStdString(toString(uri));
+    SessionRunner runner(context);
+    Outcome outcome = runner.connect(uri);
+    const bool braked = runner.finish();
+    if (outcome && !braked) outcome = failed({.code = Errc::TimedOut, .subject = toString(uri)});
+    QJsonObject json{{QStringLiteral("link"), link}, {QStringLiteral("braked"), braked}};
+    if (outcome) {
+        context.output.line(
+            Words::tr("%1: all robots were told to brake; chargers, dribblers and autokick are off.")
+                .arg(link));
+    } else {
+        json[QStringLiteral("error")] = toJson(outcome.error());
+        if (!failure) failure = outcome.error();
+    }
+    return json;
+}
+
+Outcome stopAll(const Context& context) {
+    std::vector<LinkUri> links;
+    if (context.invocation.link) {
+        links.push_back(*context.invocation.link);
+    } else {
+        SessionRunner runner(context);
+        const auto devices = runner.discover();
+        if (!devices) return tl::unexpected(devices.error());
+        for (const FoundDevice& device : *devices)
+            links.push_back(device.uri);
+    }
+    if (links.empty()) return failed({.code = Errc::NoDevice});
+    std::optional<Failure> failure;
+    QJsonArray json;
+    for (const LinkUri& uri : links)
+        json.append(stopLink(context, uri, failure));
+    context.output.value(QJsonObject{{QStringLiteral("stopped"), json}});
+    if (failure) return tl::unexpected(*std::move(failure));
+    return {};
+}
+
+Outcome stopOne(const Context& context) {
+    SessionRunner runner(context);
+    const auto uri = runner.chooseLink();
+    if (!uri) return tl::unexpected(uri.error());
+    std::optional<Failure> failure;
+    context.output.value(
+        QJsonObject{{QStringLiteral("stopped"), QJsonArray{stopLink(context, *uri, failure)}}});
+    if (failure) return tl::unexpected(*std::move(failure));
+    return {};
+}
+
+constexpr CommandSpec kCommands[] = {
+    {"stop",
+     "",
+     0,
+     0,
+     QT_TRANSLATE_NOOP("kickstandctl",
+                       "Brakes everything on every link that is plugged in, or on the one that is named."),
+     QT_TRANSLATE_NOOP("kickstandctl",
+                       "Chargers, dribblers and autokick go off too. A program that holds a dongle has its "
+                       "own STOP. What a dongle still "
+                       "holds of kicks cannot be called back."),
+     {},
+     "stop",
+     stopAll},
+    {"thunderbots stop",
+     "",
+     0,
+     0,
+     QT_TRANSLATE_NOOP("kickstandctl", "The same for one dongle or cabled robot."),
+     "",
+     {},
+     "--link usb: thunderbots stop",
+     stopOne},
+};
+
+}  // namespace
+
+std::span<const CommandSpec> stopCommands() {
+    return kCommands;
+}
+
+}  // namespace kickstand::ctl

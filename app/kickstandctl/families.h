@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "app/kickstandctl/command.h"
+
+namespace kickstand::ctl {
+
+// The commands, a family a file. commands() joins them.
+std::span<const CommandSpec> deviceCommands();
+std::span<const CommandSpec> codecCommands();
+std::span<const CommandSpec> doctorCommands();
+std::span<const CommandSpec> stopCommands();
+std::span<const CommandSpec> thunderbotsWatchCommands();
+std::span<const CommandSpec> thunderbotsDriveCommands();
+std::span<const CommandSpec> thunderbotsKickCommands();
+std::span<const CommandSpec> thunderbotsSetupCommands();
+
+}  // namespace kickstand::ctl

@@ -1,0 +1,92 @@
+#include "app/kickstandctl/output.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <cerrno>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "app/kickstandctl/words.h"
+
+namespace kickstand::ctl {
+namespace {
+
+/// False when not everything could be written.
+bool writeAll(int descriptor, QByteArrayView bytes) {
+    while (!bytes.isEmpty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), static_cast<std::size_t>(bytes.size()));
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes = bytes.sliced(written);
+    }
+    return true;
+}
+
+/// The value alone, without a document around it.
+QByteArray compact(const QJsonValue& value) {
+    if (value.isObject()) return QJsonDocument(value.toObject()).toJson(QJsonDocument::Compact);
+    return QJsonDocument(value.toArray()).toJson(QJsonDocument::Compact);
+}
+
+}  // namespace
+
+void Output::value(const QJsonValue& value) {
+    if (!json_) return;
+    hasValue_ = true;
+    raw(QString::fromUtf8(compact(value)) + QLatin1Char('\n'));
+}
+
+void Output::line(const QString& text) {
+    if (!json_) raw(text + QLatin1Char('\n'));
+}
+
+void Output::table(const QList<QStringList>& rows) {
+    if (json_ || rows.isEmpty()) return;
+    const auto right = [&rows](qsizetype column) { return rows[0][column].startsWith(QLatin1Char('<')); };
+    QList<qsizetype> widths(rows[0].size(), 0);
+    const auto cell = [&](qsizetype row, qsizetype column) {
+        return row == 0 && right(column) ? rows[row][column].mid(1) : rows[row][column];
+    };
+    for (qsizetype row = 0; row < rows.size(); ++row) {
+        for (qsizetype column = 0; column < rows[row].size(); ++column)
+            widths[column] = std::max(widths[column], cell(row, column).size());
+    }
+    for (qsizetype row = 0; row < rows.size(); ++row) {
+        QString text;
+        for (qsizetype column = 0; column < rows[row].size(); ++column) {
+            if (column > 0) text += QStringLiteral("  ");
+            const QString content = cell(row, column);
+            text += right(column) ? content.rightJustified(widths[column])
+                                  : content.leftJustified(widths[column]);
+        }
+        while (text.endsWith(QLatin1Char(' ')))
+            text.chop(1);
+        line(text);
+    }
+}
+
+void Output::raw(const QString& text) {
+    if (!writeAll(STDOUT_FILENO, text.toUtf8())) failed_ = true;
+}
+
+void Output::complain(const Failure& failure) {
+    const QString line = Words::tr("kickstandctl: %1").arg(failure.text.line());
+    // Standard error is the last place there is: nothing is left to tell if it is gone.
+    (void)writeAll(STDERR_FILENO, (line + QLatin1Char('\n')).toUtf8());
+}
+
+void reserveStandardStreams() {
+    for (;;) {
+        const int descriptor = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+        if (descriptor < 0) return;
+        if (descriptor > STDERR_FILENO) {
+            ::close(descriptor);
+            return;
+        }
+    }
+}
+
+}  // namespace kickstand::ctl

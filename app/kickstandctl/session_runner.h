@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/kickstandctl/command.h"
+#include "core/engine/engine.h"
+
+namespace kickstand::ctl {
+
+/// A command's hold on the engine: connects, asks, waits, and keeps the heartbeat going while it waits, so
+/// that robots brake as soon as this program stops responding. Every wait ends early on a signal, on a STOP
+/// that something else caused, and when a link that ran does not run any more. Main thread.
+class SessionRunner {
+  public:
+    explicit SessionRunner(const Context& context);
+    /// As finish().
+    ~SessionRunner();
+
+    /// What is plugged in.
+    Expected<std::vector<FoundDevice>> discover();
+    /// The link that was asked for, or the only hardware there is.
+    Expected<LinkUri> chooseLink();
+    /// Opens the link and waits until it runs, all robots braked.
+    Outcome connect(const LinkUri& uri);
+    /// chooseLink() and connect().
+    Outcome connect();
+    /// Waits until these robots are heard.
+    Outcome awaitRobots(thunderbots::RobotMask robots);
+    /// Waits until what a robot says of itself is known.
+    Outcome awaitReadings(int robot);
+    /// Waits until nothing new comes: every robot that is heard has readings, or two seconds have passed.
+    Outcome settle();
+    /// Hands in a command and waits for its answer.
+    Outcome perform(thunderbots::Command command);
+    /// True when `met` came true, false when the time was over first.
+    Expected<bool> waitUntil(const std::function<bool()>& met, Duration limit);
+
+    /// What the link showed last. Only after connect().
+    const thunderbots::Snapshot& state() const;
+    const thunderbots::RobotState& robot(int number) const {
+        return state().robots[static_cast<std::size_t>(number)];
+    }
+    const LinkUri& uri() const { return uri_; }
+    Engine& engine() { return engine_; }
+    /// Called for every event from now on, while something waits.
+    void setObserver(std::function<void(const EngineEvent&)> observer) { observer_ = std::move(observer); }
+
+    /// STOP for all robots, waits until the link has taken it, and closes. True when every robot was told to
+    /// brake; false when the link could not be asked any more. Bounded; safe to call twice.
+    bool finish();
+
+  private:
+    Outcome trouble() const;
+    const SessionSnapshot* session() const;
+    bool allToldToBrake(TimePoint since) const;
+    void refresh();
+
+    const Context& context_;
+    Engine engine_;
+    LinkUri uri_;
+    SessionId session_ = 0;
+    bool running_ = false;  ///< Whether the link has to run from now on.
+    bool finished_ = false;
+    bool braked_ = false;
+    std::shared_ptr<const EngineSnapshot> snapshot_;
+    std::uint64_t cursor_ = 0;
+    std::function<void(const EngineEvent&)> observer_;
+};
+
+}  // namespace kickstand::ctl
