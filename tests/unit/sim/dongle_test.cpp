@@ -242,6 +242,19 @@ TEST(Dongle, TheNewestFeedbackReplacesOneThatWaits) {
     EXPECT_EQ(host.feedback[0].size(), 1U);
 }
 
+TEST(Dongle, FeedbackThatWentBackToWhatTheHostKnowsIsNotSent) {
+    SimHost host(quietOptions());
+    ASSERT_TRUE(host.start(0x0001));
+    host.run(100ms);
+    host.feedback.clear();
+    host.perform("ball", 0, 1);
+    host.scheduler.advance(10ms);
+    host.perform("ball", 0, 0);
+    host.scheduler.advance(10ms);
+    host.drain();
+    EXPECT_TRUE(host.feedback.empty());
+}
+
 TEST(Dongle, HoldsSixMessagesAndRefusesTheSeventhUntilOneIsGone) {
     SimHost host(quietOptions());
     ASSERT_TRUE(host.start(0x0001));

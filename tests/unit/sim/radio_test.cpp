@@ -211,13 +211,58 @@ TEST(RadioFaults, ADelayedFrameOvertakesNoOther) {
     options.weather.delay = 20ms;
     SimHost host(options);
     ASSERT_TRUE(host.start(0x0001));
+    std::int16_t last = 0;
     for (std::int16_t speed = 1; speed <= 200; ++speed) {
         host.drive(0, running(speed));
         host.run(2ms);
-        EXPECT_LE(host.sim.robot(0).lastDrive.wheels[0], speed);
+        const std::int16_t now = host.sim.robot(0).lastDrive.wheels[0];
+        EXPECT_GE(now, last);
+        EXPECT_LE(now, speed);
+        last = now;
     }
     host.run(50ms);
     EXPECT_EQ(host.sim.robot(0).lastDrive, running(200));
+}
+
+TEST(RadioFaults, AnAnswerOfAnEarlierConversationIsNotTakenForOneOfTheNext) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        ThunderbotsSimOptions options = quietOptions();
+        options.seed = seed;
+        SimHost host(options);
+        ASSERT_TRUE(host.start(0x0001));
+        // The first answer with a message is on its way when the robot is lost and found again.
+        host.perform("delay", -1, 1000);
+        host.perform("experiment", 0, 1);
+        host.run(300ms);
+        host.perform("loss", -1, 1);
+        host.kick(0, {.t1 = 1});
+        ASSERT_TRUE(host.runUntil([&] { return !host.sim.deviceReport().status.alive(0); }, 5s));
+        host.perform("loss", -1, 0);
+        host.perform("delay", -1, 0);
+        ASSERT_TRUE(host.runUntil([&] { return host.sim.deviceReport().status.alive(0); }, 5s));
+        host.messages.clear();
+        host.run(2s);
+        wire::DriveBlock block;
+        block.autokickArmed = true;
+        block.autokick.t1 = 10;
+        host.drive(0, block);
+        host.perform("ball", 0, 1);
+        host.run(2s);
+        ASSERT_EQ(host.messages.size(), 1U) << seed;
+        EXPECT_TRUE(host.messages.front().payload.empty()) << seed;
+    }
+}
+
+TEST(RadioFaults, ARobotThatIsFoundAgainGivesUpWhatItHadToSay) {
+    SimHost host(quietOptions());
+    ASSERT_TRUE(host.start(0x0001));
+    for (int i = 0; i < 3; ++i)
+        host.perform("experiment", 0, 1);
+    host.scheduler.advance(500ms);
+    ASSERT_TRUE(host.start(0x0001));
+    host.run(500ms);
+    EXPECT_TRUE(host.messages.empty());
+    EXPECT_EQ(host.sim.robot(0).lostMessages, 8U) << "sixteen were with the dongle";
 }
 
 TEST(RadioFaults, RobotsOnOtherChannelsAreNotHeard) {
