@@ -220,6 +220,15 @@ constexpr FirmwareOp opOfMessage(const ReadSignaturesResponse&) noexcept {
     return FirmwareOp::ReadSignatures;
 }
 
+/// std::visit without the exception that it may throw: these variants never lose their value.
+template <std::size_t index = 0, class Variant, class Visitor>
+auto visitMessage(const Variant& variant, Visitor visitor) noexcept {
+    if constexpr (index + 1 < std::variant_size_v<Variant>) {
+        if (variant.index() != index) return visitMessage<index + 1>(variant, visitor);
+    }
+    return visitor(*std::get_if<index>(&variant));
+}
+
 }  // namespace
 
 const char* name(FirmwareOp op) noexcept {
@@ -247,17 +256,17 @@ const char* name(FirmwareOp op) noexcept {
 }
 
 FirmwareOp opOf(const FirmwareRequest& request) noexcept {
-    return std::visit([](const auto& message) { return opOfMessage(message); }, request);
+    return visitMessage(request, [](const auto& message) { return opOfMessage(message); });
 }
 FirmwareOp opOf(const FirmwareResponse& response) noexcept {
-    return std::visit([](const auto& message) { return opOfMessage(message); }, response);
+    return visitMessage(response, [](const auto& message) { return opOfMessage(message); });
 }
 
 WireResult<MessagePayload> encodeFirmwareRequest(const FirmwareRequest& request) noexcept {
-    return std::visit([](const auto& message) { return encode(message); }, request);
+    return visitMessage(request, [](const auto& message) { return encode(message); });
 }
 WireResult<MessagePayload> encodeFirmwareResponse(const FirmwareResponse& response) noexcept {
-    return std::visit([](const auto& message) { return encode(message); }, response);
+    return visitMessage(response, [](const auto& message) { return encode(message); });
 }
 
 WireResult<FirmwareRequest> decodeFirmwareRequest(ByteView payload) noexcept {

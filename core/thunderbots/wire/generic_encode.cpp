@@ -114,7 +114,7 @@ Result<Bytes> encodeOne(const MessageSpec& message, const Given& given) {
     for (const FieldSpec& field : message.fields) {
         if (field.kind == FieldKind::Length) continue;
         if (field.kind == FieldKind::Bytes) {
-            const auto rest = bytesFor(message, field, given);
+            auto rest = bytesFor(message, field, given);
             if (!rest) return rest;
             bytes.insert(bytes.end(), rest->begin(), rest->end());
             continue;
@@ -174,7 +174,7 @@ Result<Bytes> encodeList(const MessageSpec& message, const std::map<int, Given>&
                         "not given");
         }
         ++expected;
-        const auto one = encodeOne(message, fields);
+        auto one = encodeOne(message, fields);
         if (!one) return one;
         all.insert(all.end(), one->begin(), one->end());
     }
