@@ -8,6 +8,7 @@
 
 #include "app/composition/composition.h"
 #include "app/kickstand/options.h"
+#include "app/kickstand/tour.h"
 #include "core/engine/engine.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
@@ -22,6 +23,8 @@
 namespace {
 
 using namespace kickstand;
+
+constexpr QSize kTourSize(1440, 900);
 
 /// What can wait until the window has been painted: buses may take their time.
 void afterFirstPaint(ui::Theme& theme, ui::EngineClient& client) {
@@ -41,7 +44,11 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(KICKSTAND_VERSION));
     const app::Options options = app::readOptions(QApplication::arguments());
 
-    QSettings settings;
+    // A tour neither reads nor changes what is remembered of this person.
+    const QTemporaryDir scratch;
+    QSettings remembered;
+    QSettings forgotten(scratch.filePath(QStringLiteral("tour.ini")), QSettings::IniFormat);
+    QSettings& settings = options.tourFolder ? forgotten : remembered;
     ui::Theme theme(settings);
     if (options.theme) theme.useNow(*options.theme);
 
@@ -51,15 +58,25 @@ int main(int argc, char** argv) {
     systems.add(std::make_unique<ui::ThunderbotsView>());
     ui::Bench bench(client, systems, settings);
     ui::StopFilter stopFilter([&bench] { return bench.isActive(); });
-    QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client, [&client] { client.stop(StopReason::Person); });
+    QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client,
+                     [&client] { client.stop(StopReason::Person); });
 
     ui::MainWindow window(bench, theme);
     ui::SignalWatch signalWatch;
     QObject::connect(&signalWatch, &ui::SignalWatch::quitAsked, &window, &ui::MainWindow::closeNow);
-    if (options.links.empty()) {
+    std::unique_ptr<app::Tour> tour;
+    if (options.tourFolder) {
+        // On simulated robots, whatever is plugged in.
+        tour = std::make_unique<app::Tour>(window, bench, theme, *options.tourFolder);
+    } else if (options.links.empty()) {
         window.connector().connectToOnlyHardware();
-    } else {
-        for (const LinkUri& link : options.links) bench.connectBeside(link);
+    }
+    for (const LinkUri& link : options.links)
+        bench.connectBeside(link);
+    if (tour) {
+        window.resize(kTourSize);
+        QObject::connect(tour.get(), &app::Tour::finished, &application, &QCoreApplication::exit);
+        QTimer::singleShot(0, tour.get(), &app::Tour::start);
     }
     window.show();
     QTimer::singleShot(0, &client, [&theme, &client] { afterFirstPaint(theme, client); });

@@ -1,11 +1,11 @@
 #include "app/kickstand/options.h"
 
+#include <QCommandLineParser>
+#include <QCoreApplication>
 #include <cstdio>
 #include <cstdlib>
 
-#include <QCommandLineParser>
-#include <QCoreApplication>
-
+#include "app/composition/composition.h"
 #include "core/engine/describe.h"
 
 namespace kickstand::app {
@@ -34,16 +34,19 @@ std::optional<ui::ThemeChoice> themeNamed(const QString& name) {
 
 Options readOptions(const QStringList& arguments) {
     QCommandLineParser parser;
-    parser.setApplicationDescription(Words::tr("A bench for small robots: drive, watch and stop them.\n\n"
-                                               "Example: kickstand --link sim:thunderbots?robots=0-3"));
-    const QCommandLineOption link(QStringLiteral("link"),
-                                  Words::tr("Connect to this link at the start; may be given several times. Without "
-                                            "it the window looks for hardware, and offers simulated robots."),
-                                  QStringLiteral("URI"));
-    const QCommandLineOption tour(QStringLiteral("tour"),
-                                  Words::tr("Show every panel on simulated robots, do the main jobs, write pictures "
-                                            "into this folder, and end."),
-                                  QStringLiteral("DIR"));
+    parser.setApplicationDescription(
+        Words::tr("A bench for small robots: drive, watch and stop them.\n\n"
+                  "Example: kickstand --link sim:thunderbots?robots=0-3"));
+    const QCommandLineOption link(
+        QStringLiteral("link"),
+        Words::tr("Connect to this link at the start; may be given several times. Without "
+                  "it the window looks for hardware, and offers simulated robots."),
+        QStringLiteral("URI"));
+    const QCommandLineOption tour(
+        QStringLiteral("tour"),
+        Words::tr("Show every panel on simulated robots, do the main jobs, write pictures "
+                  "into this folder, and end."),
+        QStringLiteral("DIR"));
     const QCommandLineOption theme(QStringLiteral("theme"), Words::tr("system, light or dark, for this run."),
                                    QStringLiteral("THEME"));
     parser.addOptions({link, tour, theme});
@@ -61,6 +64,7 @@ Options readOptions(const QStringList& arguments) {
     for (const QString& text : parser.values(link)) {
         const Result<LinkUri> uri = parseLinkUri(text.toStdString());
         if (!uri) refuse(describe(uri.error()).line());
+        if (const Result<void> taken = checkLink(*uri); !taken) refuse(describe(taken.error()).line());
         options.links.push_back(*uri);
     }
     if (parser.isSet(theme)) {

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <QString>
 #include <optional>
 #include <vector>
-
-#include <QString>
 
 #include "core/link/link_uri.h"
 #include "ui/shell/theme.h"
@@ -17,8 +16,8 @@ struct Options {
     std::optional<ui::ThemeChoice> theme;
 };
 
-/// Reads the command line. --help and --version end the program here with exit code 0, nonsense with one line on standard
-/// error and exit code 2.
+/// Reads the command line. --help and --version end the program here with exit code 0, nonsense with one line
+/// on standard error and exit code 2.
 Options readOptions(const QStringList& arguments);
 
 }  // namespace kickstand::app

@@ -1,0 +1,90 @@
+#include "app/kickstand/tour.h"
+
+#include <QPixmap>
+#include <chrono>
+#include <cstdio>
+
+#include "app/kickstand/tour_steps.h"
+#include "ui/shell/bench.h"
+#include "ui/shell/main_window.h"
+#include "ui/shell/theme.h"
+
+namespace kickstand::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Far longer than any step takes.
+constexpr auto kStepLimit = 30s;
+
+}  // namespace
+
+Tour::Tour(ui::MainWindow& window, ui::Bench& bench, ui::Theme& theme, const QString& folder)
+    : theme_(theme), folder_(folder), steps_(tourSteps(window, bench)) {
+    watchdog_.setSingleShot(true);
+    connect(&watchdog_, &QTimer::timeout, this, [this] { fail(tr("did not come about in time")); });
+    connect(&bench, &ui::Bench::changed, this, &Tour::check);
+    connect(&bench.client(), &ui::EngineClient::stopChanged, this, &Tour::check);
+}
+
+void Tour::start() {
+    if (!folder_.mkpath(QStringLiteral("."))) {
+        fail(tr("cannot write to %1").arg(folder_.absolutePath()));
+        return;
+    }
+    begin();
+}
+
+void Tour::begin() {
+    // From the event loop: what the last step has set going is drawn first.
+    QTimer::singleShot(0, this, [this] {
+        if (over_) return;
+        watchdog_.start(kStepLimit);
+        steps_[current_].act();
+        acted_ = true;
+        check();
+    });
+}
+
+void Tour::check() {
+    if (over_ || !acted_) return;
+    const TourStep& step = steps_[current_];
+    if (!step.done()) return;
+    acted_ = false;
+    if (step.picture && !takePictures(step)) return;
+    if (++current_ < steps_.size()) {
+        begin();
+        return;
+    }
+    over_ = true;
+    watchdog_.stop();
+    emit finished(0);
+}
+
+bool Tour::takePictures(const TourStep& step) {
+    ++pictures_;
+    for (const auto& [choice, name] :
+         {std::pair{ui::ThemeChoice::Dark, "dark"}, std::pair{ui::ThemeChoice::Light, "light"}}) {
+        theme_.useNow(choice);
+        const QString file = QStringLiteral("%1-%2-%3.png")
+                                 .arg(pictures_, 2, 10, QLatin1Char('0'))
+                                 .arg(step.name, QLatin1String(name));
+        if (!step.picture().save(folder_.filePath(file))) {
+            fail(tr("cannot write %1").arg(folder_.filePath(file)));
+            return false;
+        }
+    }
+    return true;
+}
+
+void Tour::fail(const QString& why) {
+    if (over_) return;
+    over_ = true;
+    watchdog_.stop();
+    const QString step = current_ < steps_.size() ? steps_[current_].name : QString();
+    std::fprintf(stderr, "kickstand: the tour stopped at \"%s\": %s\n", qPrintable(step), qPrintable(why));
+    emit finished(1);
+}
+
+}  // namespace kickstand::app

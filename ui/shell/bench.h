@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QObject>
+
+#include "ui/shell/engine_client.h"
+
+class QSettings;
+
+namespace kickstand::ui {
+
+class SystemRegistry;
+class SystemView;
+
+/// What every part of the window works with: the engine, the session that is shown, the systems there are,
+/// and what is remembered between runs. GUI thread.
+class Bench final : public QObject {
+    Q_OBJECT
+  public:
+    /// All of them must outlive this.
+    Bench(EngineClient& client, const SystemRegistry& systems, QSettings& settings,
+          QObject* parent = nullptr);
+
+    EngineClient& client() const { return client_; }
+    const SystemRegistry& systems() const { return systems_; }
+    QSettings& settings() const { return settings_; }
+
+    /// The session that the window shows; null where there is none.
+    const SessionSnapshot* session() const { return client_.session(current_); }
+    SessionId sessionId() const { return current_; }
+    /// The view of that session's system; null where there is none.
+    const SystemView* view() const;
+    void show(SessionId id);
+    /// Whether anything of any session moves, charges, is armed or executes, or a command that is not
+    /// answered yet may make it so.
+    bool isActive() const;
+
+    /// Hands in a command for the shown session.
+    void submit(CommandBody body, QObject* context = nullptr, EngineClient::Answered answered = {});
+
+    /// Opens a link and shows it; what was connected before is let go, so that nothing simulated mixes with
+    /// hardware.
+    void connectTo(const LinkUri& uri);
+    /// As connectTo(), beside what is connected.
+    void connectBeside(const LinkUri& uri);
+    void disconnectAll();
+
+  signals:
+    /// There is a new snapshot, or another session is shown.
+    void changed();
+    /// Another session is shown, or none.
+    void sessionChanged();
+
+  private:
+    void follow();
+
+    EngineClient& client_;
+    const SystemRegistry& systems_;
+    QSettings& settings_;
+    SessionId current_ = 0;
+    SessionId awaited_ = 0;
+};
+
+}  // namespace kickstand::ui

@@ -1,0 +1,202 @@
+#include "ui/shell/events_panel.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QStackedLayout>
+#include <QStyledItemDelegate>
+#include <QTableView>
+
+#include "ui/shell/bench.h"
+#include "ui/widgets/state_label.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+namespace {
+
+constexpr int kRowHeight = 24;
+constexpr int kTimeWidth = 108;
+constexpr int kRobotWidth = 76;
+constexpr int kUnits = 16;
+constexpr double kMark = 8;
+
+/// Draws a line of the list: what is bad has a shape beside its colour.
+class EventDelegate final : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const Tokens& t = tokensOf(option.palette);
+        painter->save();
+        if (option.state.testFlag(QStyle::State_Selected)) painter->fillRect(option.rect, t.accentSoft);
+        painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1), t.grid);
+        QRect area = option.rect.adjusted(metrics::kPadding, 0, -4, 0);
+        painter->setPen(index.column() == EventModel::Time ? t.muted : t.text);
+        const auto severity = static_cast<Severity>(index.data(EventModel::SeverityRole).toInt());
+        if (index.column() == EventModel::Text && severity != Severity::Information) {
+            const Tone tone = severity == Severity::Danger ? Tone::Danger : Tone::Warning;
+            drawTone(*painter, tone, QRectF(area.left(), area.center().y() - kMark / 2 + 1, kMark, kMark),
+                     toneColour(tone, t));
+            area.setLeft(area.left() + static_cast<int>(kMark) + 6);
+            painter->setPen(toneColour(tone, t));
+        }
+        const QString text = index.data().toString();
+        painter->setFont(option.font);
+        painter->drawText(area, Qt::AlignVCenter | Qt::TextSingleLine,
+                          option.fontMetrics.elidedText(text, Qt::ElideRight, area.width()));
+        painter->restore();
+    }
+};
+
+}  // namespace
+
+EventsPanel::EventsPanel(Bench& bench, QWidget* parent)
+    : Panel(bench, parent), view_(new QTableView(this)), empty_(new QLabel(this)) {
+    filter_.setSourceModel(&model_);
+    buildView();
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+    empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto* stack = new QStackedLayout(this);
+    stack->setStackingMode(QStackedLayout::StackAll);
+    stack->setContentsMargins(1, 0, 1, metrics::kPanelRadius);
+    stack->addWidget(view_);
+    stack->addWidget(empty_);
+    stack->setCurrentWidget(empty_);
+
+    connect(&bench.client(), &EngineClient::eventsArrived, this, &EventsPanel::take);
+    connect(&bench.client(), &EngineClient::refused, this, &EventsPanel::takeRefusal);
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
+        connect(&filter_, signal, this, &EventsPanel::refreshEmpty);
+    }
+    refreshEmpty();
+}
+
+void EventsPanel::buildView() {
+    view_->setObjectName(QStringLiteral("eventList"));
+    view_->setAccessibleName(tr("Events, newest first"));
+    view_->setModel(&filter_);
+    view_->setItemDelegate(new EventDelegate(view_));
+    view_->setFrameShape(QFrame::NoFrame);
+    view_->setShowGrid(false);
+    view_->setWordWrap(false);
+    view_->setFont(numberFont(metrics::kTextSize));
+    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view_->setTabKeyNavigation(false);
+    view_->horizontalHeader()->hide();
+    view_->horizontalHeader()->setStretchLastSection(true);
+    view_->verticalHeader()->hide();
+    view_->verticalHeader()->setMinimumSectionSize(kRowHeight);
+    view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+    view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    view_->setColumnWidth(EventModel::Time, kTimeWidth);
+    view_->setColumnWidth(EventModel::Robot, kRobotWidth);
+
+    auto* copy = new QAction(tr("Copy"), view_);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    connect(copy, &QAction::triggered, this, &EventsPanel::copySelection);
+    view_->addAction(copy);
+    view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+QWidget* EventsPanel::headerTools() {
+    auto* tools = new QWidget(this);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::kGap);
+    auto* text = new QLineEdit(tools);
+    text->setObjectName(QStringLiteral("eventText"));
+    text->setPlaceholderText(tr("Filter"));
+    text->setAccessibleName(tr("Show events that contain"));
+    text->setClearButtonEnabled(true);
+    text->setFixedWidth(150);
+    auto* robots = new QComboBox(tools);
+    robots->setObjectName(QStringLiteral("eventRobot"));
+    robots->setAccessibleName(tr("Show events of robot"));
+    robots->addItem(tr("All robots"), -1);
+    for (int robot = 0; robot < kUnits; ++robot)
+        robots->addItem(tr("Robot %1").arg(robot), robot);
+    auto* least = new QComboBox(tools);
+    least->setObjectName(QStringLiteral("eventSeverity"));
+    least->setAccessibleName(tr("Show events from this weight on"));
+    least->addItem(tr("Everything"), static_cast<int>(Severity::Information));
+    least->addItem(tr("Warnings"), static_cast<int>(Severity::Warning));
+    least->addItem(tr("Dangers"), static_cast<int>(Severity::Danger));
+    row->addWidget(text);
+    row->addWidget(robots);
+    row->addWidget(least);
+    connect(text, &QLineEdit::textChanged, &filter_, &EventFilter::setText);
+    connect(robots, &QComboBox::currentIndexChanged, this,
+            [this, robots] { filter_.setRobot(robots->currentData().toInt()); });
+    connect(least, &QComboBox::currentIndexChanged, this,
+            [this, least] { filter_.setLeast(static_cast<Severity>(least->currentData().toInt())); });
+    return tools;
+}
+
+void EventsPanel::take(const std::vector<EngineEvent>& events, quint64 lost) {
+    std::vector<EventLine> lines;
+    lines.reserve(events.size() + 1);
+    if (lost > 0) {
+        EventLine line;
+        line.time = std::chrono::system_clock::now();
+        line.text = tr("%n event(s) came too fast to be kept", nullptr, static_cast<int>(lost));
+        line.severity = Severity::Warning;
+        lines.push_back(std::move(line));
+    }
+    for (const EngineEvent& event : events) {
+        EventText words = describe(event);
+        EventLine line;
+        line.time = bench().client().wallTime(timeOf(event));
+        line.robot = robotOf(event);
+        line.text = std::move(words.text);
+        line.severity = words.severity;
+        lines.push_back(std::move(line));
+    }
+    model_.add(std::move(lines));
+}
+
+void EventsPanel::takeRefusal(const Error& error) {
+    EventLine line;
+    line.time = std::chrono::system_clock::now();
+    line.robot = error.robot.value_or(-1);
+    line.text = tr("Refused: %1").arg(describe(error).line());
+    line.severity = Severity::Warning;
+    line.countable = true;
+    model_.add({std::move(line)});
+}
+
+void EventsPanel::copySelection() {
+    QStringList text;
+    for (const QModelIndex& row : view_->selectionModel()->selectedRows()) {
+        QStringList cells;
+        for (int column = 0; column < EventModel::ColumnCount; ++column) {
+            cells << row.siblingAtColumn(column).data().toString();
+        }
+        text << cells.join(u'\t');
+    }
+    if (!text.isEmpty()) QApplication::clipboard()->setText(text.join(u'\n'));
+}
+
+void EventsPanel::refreshEmpty() {
+    empty_->setVisible(filter_.rowCount() == 0);
+    empty_->setText(model_.rowCount() == 0 ? tr("Nothing has happened yet.")
+                                           : tr("Nothing that happened passes the filter."));
+}
+
+void EventsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) view_->viewport()->update();
+    Panel::changeEvent(event);
+}
+
+}  // namespace kickstand::ui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QWidget>
+
+class QTextBrowser;
+
+namespace kickstand::ui {
+
+/// The pages of resources/help, as they are on a forge. Made when it is first asked for.
+class HelpWindow final : public QWidget {
+    Q_OBJECT
+  public:
+    explicit HelpWindow(QWidget* parent = nullptr);
+
+    void showPage(const QString& page);
+
+  private:
+    QTextBrowser* browser_;
+};
+
+}  // namespace kickstand::ui

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/base/error.h"
+
+class QStackedWidget;
+
+namespace kickstand::ui {
+
+class Banner;
+class Bench;
+class Connector;
+class FocusGuard;
+class HelpWindow;
+class StoppedFrame;
+class Theme;
+class Workbench;
+
+/// The window: bar, banners, start page or panels, status. It owns what belongs to a window and nothing of
+/// the robots.
+class MainWindow final : public QWidget {
+    Q_OBJECT
+  public:
+    MainWindow(Bench& bench, Theme& theme);
+
+    Connector& connector() const { return *connector_; }
+    Workbench& workbench() const { return *workbench_; }
+    void showHelp(const QString& page);
+    /// Shows an error with its remedy until it is dismissed or something connects.
+    void showProblem(const Error& error);
+    /// Brakes and closes without a question: a signal asked for it.
+    void closeNow();
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void build();
+    void makeBanners();
+    void refresh();
+    void refreshProblem();
+    void refreshStop();
+    void copyRemedy();
+    void saveLayout();
+
+    Bench& bench_;
+    Theme& theme_;
+    FocusGuard* focusGuard_;
+    Connector* connector_;
+    Workbench* workbench_;
+    QStackedWidget* pages_;
+    Banner* simulated_ = nullptr;
+    Banner* stopped_ = nullptr;
+    Banner* problem_ = nullptr;
+    QWidget* copy_ = nullptr;
+    QWidget* dismiss_ = nullptr;
+    StoppedFrame* frame_;
+    HelpWindow* help_ = nullptr;
+    std::optional<Error> shownProblem_;
+    bool leaving_ = false;
+};
+
+}  // namespace kickstand::ui

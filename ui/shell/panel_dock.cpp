@@ -1,0 +1,61 @@
+#include "ui/shell/panel_dock.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+
+#include "ui/shell/panel.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+namespace {
+
+constexpr int kHeaderHeight = 36;
+constexpr int kHeaderFontSize = 12;
+
+}  // namespace
+
+PanelDock::PanelDock(const QString& id, const QString& title, const QString& helpPage, Panel* panel,
+                     QWidget* parent)
+    : QDockWidget(title, parent), panel_(panel), helpPage_(helpPage) {
+    setObjectName(id);
+    setAccessibleName(title);
+    auto* header = new QWidget(this);
+    header->setFixedHeight(kHeaderHeight);
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(metrics::kPadding, 1, metrics::kGap, 1);
+    row->setSpacing(metrics::kGap);
+    auto* name = new QLabel(title, header);
+    name->setFont(textFont(kHeaderFontSize, QFont::DemiBold));
+    auto* note = new QLabel(panel->note(), header);
+    note->setObjectName(QStringLiteral("note"));
+    note->setFont(numberFont(kHeaderFontSize));
+    note->setForegroundRole(QPalette::PlaceholderText);
+    note->setContentsMargins(0, 0, metrics::kGap / 2, 0);
+    row->addWidget(name);
+    row->addStretch(1);
+    if (QWidget* tools = panel->headerTools()) row->addWidget(tools);
+    row->addWidget(note);
+    note->setVisible(!panel->note().isEmpty());
+    connect(panel, &Panel::noteChanged, note, [note](const QString& text) {
+        note->setText(text);
+        note->setVisible(!text.isEmpty());
+    });
+    setTitleBarWidget(header);
+    setWidget(panel);
+}
+
+void PanelDock::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Tokens& t = tokensOf(palette());
+    painter.setPen(QPen(t.line, 1));
+    painter.setBrush(t.surface);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kPanelRadius,
+                            metrics::kPanelRadius);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.fillRect(QRect(1, kHeaderHeight - 1, width() - 2, 1), t.line);
+}
+
+}  // namespace kickstand::ui

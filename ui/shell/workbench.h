@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QMainWindow>
+#include <vector>
+
+namespace kickstand::ui {
+
+class Bench;
+class PanelDock;
+
+/// The docks with the panels of every system and the events. Layouts are remembered.
+class Workbench final : public QMainWindow {
+    Q_OBJECT
+  public:
+    explicit Workbench(Bench& bench, QWidget* parent = nullptr);
+
+    const std::vector<PanelDock*>& docks() const { return docks_; }
+    /// The dock that has the focus; null where none has.
+    PanelDock* focusedDock() const;
+    void restoreLayout();
+    void saveLayout() const;
+    /// As on the first day.
+    void resetLayout();
+
+  protected:
+    QMenu* createPopupMenu() override { return nullptr; }
+
+  private:
+    void addPanels();
+
+    Bench& bench_;
+    std::vector<PanelDock*> docks_;
+    QByteArray firstLayout_;
+};
+
+}  // namespace kickstand::ui

@@ -1,0 +1,82 @@
+#include "ui/thunderbots/high_voltage_box.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/thunderbots/capacitor_readout.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+namespace {
+
+QPushButton* toggle(const QString& text, const char* name, const QString& tip, QWidget* parent) {
+    auto* button = new QPushButton(text, parent);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setCheckable(true);
+    button->setAutoDefault(false);
+    button->setToolTip(tip);
+    return button;
+}
+
+}  // namespace
+
+HighVoltageBox::HighVoltageBox(QWidget* parent)
+    : QWidget(parent),
+      readout_(new CapacitorReadout(this)),
+      arm_(toggle(
+          tr("Arm high voltage"), "arm",
+          tr("Charging, kicking and discharging need this. Disarming switches the charger and autokick off."),
+          this)),
+      charger_(toggle(tr("Charger"), "charger", tr("Charges the kicker's capacitor to 219 V."), this)),
+      discharge_(
+          toggle(tr("Discharge"), "discharge",
+                 tr("Empties the capacitor with pulses of 96 \u00b5s until 25 V. Take the ball away first."),
+                 this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::kGap);
+    column->addWidget(readout_);
+    column->addSpacing(4);
+    column->addWidget(arm_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::kGap);
+    row->addWidget(charger_, 1);
+    row->addWidget(discharge_, 1);
+    column->addLayout(row);
+    column->addStretch(1);
+    connect(arm_, &QPushButton::clicked, this, &HighVoltageBox::armAsked);
+    connect(charger_, &QPushButton::clicked, this, &HighVoltageBox::chargerAsked);
+    connect(discharge_, &QPushButton::clicked, this, &HighVoltageBox::dischargeAsked);
+    refreshUsable();
+}
+
+void HighVoltageBox::showState(const ChoiceSummary& summary, bool buttons) {
+    readout_->showState(summary);
+    armed_ = summary.armed == All::Every;
+    arm_->setText(armed_                       ? tr("High voltage armed")
+                  : summary.armed == All::Some ? tr("Arm high voltage (some are)")
+                                               : tr("Arm high voltage"));
+    discharge_->setText(summary.discharging == All::None ? tr("Discharge") : tr("Discharging\u2026"));
+    if (buttons) {
+        arm_->setChecked(armed_);
+        charger_->setChecked(summary.charger == All::Every);
+        discharge_->setChecked(summary.discharging != All::None);
+    }
+    refreshUsable();
+}
+
+void HighVoltageBox::setUsable(bool usable) {
+    usable_ = usable;
+    refreshUsable();
+}
+
+void HighVoltageBox::refreshUsable() {
+    arm_->setEnabled(usable_);
+    charger_->setEnabled(usable_ && armed_);
+    discharge_->setEnabled(usable_ && armed_);
+}
+
+}  // namespace kickstand::ui

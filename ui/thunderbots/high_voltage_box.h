@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/thunderbots/choice_summary.h"
+
+class QLabel;
+class QPushButton;
+
+namespace kickstand::ui {
+
+class CapacitorReadout;
+
+/// The kicker's capacitor: how much is on it, and the three things that need the high voltage armed first.
+class HighVoltageBox final : public QWidget {
+    Q_OBJECT
+  public:
+    explicit HighVoltageBox(QWidget* parent = nullptr);
+
+    /// `buttons`: whether they may follow the snapshot, or a person's wish is still on its way.
+    void showState(const ChoiceSummary& summary, bool buttons);
+    void setUsable(bool usable);
+
+  signals:
+    void armAsked(bool on);
+    void chargerAsked(bool on);
+    void dischargeAsked(bool on);
+
+  private:
+    void refreshUsable();
+
+    CapacitorReadout* readout_;
+    QPushButton* arm_;
+    QPushButton* charger_;
+    QPushButton* discharge_;
+    bool usable_ = false;
+    bool armed_ = false;
+};
+
+}  // namespace kickstand::ui

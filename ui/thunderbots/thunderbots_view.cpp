@@ -1,0 +1,214 @@
+#include "ui/thunderbots/thunderbots_view.h"
+
+#include <QCoreApplication>
+#include <map>
+
+#include "core/engine/describe.h"
+#include "core/thunderbots/wire/readings.h"
+#include "ui/thunderbots/drive_panel.h"
+#include "ui/thunderbots/robots_panel.h"
+#include "ui/thunderbots/words.h"
+
+namespace kickstand::ui {
+
+using namespace thunderbots;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(ThunderbotsView)
+};
+
+constexpr const char* kHelpPage = "bench-guide.md";
+
+LinkUri simulation(std::map<std::string, std::string> options) {
+    LinkUri uri;
+    uri.scheme = "sim";
+    uri.target = "thunderbots";
+    uri.options = std::move(options);
+    return uri;
+}
+
+StateText linkState(const SessionSnapshot& session, const Snapshot& snapshot) {
+    const bool simulated = session.uri.isSimulated();
+    const QString device = snapshot.cable
+                               ? (simulated ? Words::tr("Simulated cable") : Words::tr("Robot cable"))
+                               : (simulated ? Words::tr("Simulated dongle") : Words::tr("Dongle"));
+    const auto with = [&device](const QString& state) {
+        return Words::tr("%1 \u00b7 %2").arg(device, state);
+    };
+    switch (snapshot.link) {
+        case LinkState::Running:
+            return {
+                Tone::Good, with(snapshot.cable ? describe(snapshot.link) : Words::tr("radios running")), {}};
+        case LinkState::Failed:
+            return {Tone::Danger, with(describe(snapshot.link)), {}};
+        case LinkState::Searching:
+            return {Tone::Warning, with(describe(snapshot.link)), {}};
+        default:
+            return {Tone::Busy, with(describe(snapshot.link)), {}};
+    }
+}
+
+StateText emergencyStopState(wire::EStop state) {
+    const Tone tone = state == wire::EStop::Run             ? Tone::Good
+                      : state == wire::EStop::Uninitialized ? Tone::Idle
+                                                            : Tone::Warning;
+    return {tone, Words::tr("E-stop"), describe(state).toUpper()};
+}
+
+}  // namespace
+
+const Snapshot* snapshotOf(const SessionSnapshot* session) {
+    return session == nullptr ? nullptr : std::get_if<Snapshot>(&session->system);
+}
+
+QString ThunderbotsView::name() const {
+    return Words::tr("Thunderbots");
+}
+
+std::vector<PanelEntry> ThunderbotsView::panels() const {
+    RobotChoice& choice = *choice_;
+    return {
+        {QStringLiteral("robots"), Words::tr("Robots"), QString::fromLatin1(kHelpPage),
+         Qt::LeftDockWidgetArea,
+         [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
+        {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), Qt::RightDockWidgetArea,
+         [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
+    };
+}
+
+std::vector<LinkOffer> ThunderbotsView::offers() const {
+    return {
+        {Words::tr("sixteen simulated robots"),
+         Words::tr("Virtual robots with batteries, capacitors and wheels behind a virtual dongle: nothing to "
+                   "plug in, "
+                   "nothing to break."),
+         simulation({})},
+        {Words::tr("with 5 % radio loss"), Words::tr("The same sixteen, heard through a bad radio."),
+         simulation({{"loss", "0.05"}})},
+        {Words::tr("one robot on a cable"), Words::tr("One virtual robot, connected without a radio."),
+         simulation({{"cable", "3"}})},
+    };
+}
+
+bool ThunderbotsView::owns(const SystemSnapshot& system) const {
+    return std::holds_alternative<Snapshot>(system);
+}
+
+bool ThunderbotsView::isActive(const SystemSnapshot& system) const {
+    const auto& snapshot = std::get<Snapshot>(system);
+    if (snapshot.active()) return true;
+    for (const RobotIntent& intent : snapshot.intents) {
+        if (intent.highVoltageArmed) return true;
+    }
+    return false;
+}
+
+std::vector<StateText> ThunderbotsView::states(const SessionSnapshot& session) const {
+    const auto& snapshot = std::get<Snapshot>(session.system);
+    std::vector<StateText> states{linkState(session, snapshot)};
+    if (!snapshot.cable && snapshot.link == LinkState::Running)
+        states.push_back(emergencyStopState(snapshot.eStop));
+    return states;
+}
+
+const Error* ThunderbotsView::obstacle(const SystemSnapshot& system) const {
+    const auto& snapshot = std::get<Snapshot>(system);
+    if (snapshot.link == LinkState::Running || !snapshot.error) return nullptr;
+    return &*snapshot.error;
+}
+
+QStringList ThunderbotsView::facts(const SessionSnapshot& session) const {
+    const auto& snapshot = std::get<Snapshot>(session.system);
+    QStringList facts;
+    facts << Words::tr("%1 packets/s").arg(snapshot.traffic.packets_per_s, 0, 'f', 0);
+    if (snapshot.channels) {
+        facts
+            << Words::tr("radios %1 / %2").arg(snapshot.channels->channel0).arg(snapshot.channels->channel1);
+    }
+    if (snapshot.traffic.malformed > 0) facts << Words::tr("%1 damaged").arg(snapshot.traffic.malformed);
+    if (snapshot.traffic.stalls > 0) facts << Words::tr("%1 stalls").arg(snapshot.traffic.stalls);
+    return facts;
+}
+
+std::vector<Hazard> ThunderbotsView::hazards(const SystemSnapshot& system) const {
+    const auto& snapshot = std::get<Snapshot>(system);
+    std::vector<Hazard> hazards;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        const RobotState& state = snapshot.robots[static_cast<std::size_t>(robot)];
+        if (!isLive(state)) continue;
+        Hazard hazard;
+        hazard.text =
+            Words::tr("robot %1: %2 on its capacitor").arg(robot).arg(capacitorText(state.capacitor->last_V));
+        hazard.at = state.capacitor->at;
+        hazard.stale = state.freshness != Freshness::Current;
+        hazards.push_back(std::move(hazard));
+    }
+    return hazards;
+}
+
+QString ThunderbotsView::simulatedText(const LinkUri& uri) const {
+    if (const auto cable = uri.options.find("cable"); cable != uri.options.end()) {
+        return Words::tr("virtual robot %1 on a cable, no hardware is connected")
+            .arg(QString::fromStdString(cable->second));
+    }
+    const auto robots = uri.options.find("robots");
+    QString text = robots == uri.options.end() || robots->second == "0-15"
+                       ? Words::tr("sixteen virtual robots, no hardware is connected")
+                       : Words::tr("virtual robots %1, no hardware is connected")
+                             .arg(QString::fromStdString(robots->second));
+    if (const auto loss = uri.options.find("loss"); loss != uri.options.end()) {
+        text += Words::tr("; radio loss %1 %")
+                    .arg(QString::fromStdString(loss->second).toDouble() * 100, 0, 'g', 3);
+    }
+    return text;
+}
+
+std::vector<int> ThunderbotsView::chosenUnits() const {
+    std::vector<int> units;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (choice_->isChosen(robot)) units.push_back(robot);
+    }
+    return units;
+}
+
+QString ThunderbotsView::actionText(const SimAction& action) const {
+    static const std::map<std::string, const char*> texts = {
+        {"ball", QT_TRANSLATE_NOOP("ThunderbotsView", "Ball in the beam")},
+        {"battery", QT_TRANSLATE_NOOP("ThunderbotsView", "Battery")},
+        {"capacitor", QT_TRANSLATE_NOOP("ThunderbotsView", "Capacitor")},
+        {"dead", QT_TRANSLATE_NOOP("ThunderbotsView", "Dead")},
+        {"e-stop", QT_TRANSLATE_NOOP("ThunderbotsView", "Emergency stop")},
+        {"radio-failure", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio failure")},
+        {"loss", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio loss")},
+        {"duplicate", QT_TRANSLATE_NOOP("ThunderbotsView", "Duplicated packets")},
+        {"delay", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio delay")},
+        {"plugged", QT_TRANSLATE_NOOP("ThunderbotsView", "USB plug")},
+        {"stall", QT_TRANSLATE_NOOP("ThunderbotsView", "Stalled endpoint")},
+        {"experiment", QT_TRANSLATE_NOOP("ThunderbotsView", "Send experiment data")},
+        {"temperature", QT_TRANSLATE_NOOP("ThunderbotsView", "Dribbler temperature")},
+        {"error", QT_TRANSLATE_NOOP("ThunderbotsView", "Dongle error code")},
+    };
+    const auto found = texts.find(action.name);
+    return found == texts.end() ? QString::fromStdString(action.name) : Words::tr(found->second);
+}
+
+std::vector<std::pair<QString, double>> ThunderbotsView::actionChoices(const SimAction& action) const {
+    const auto switches = [](const QString& on, const QString& off) {
+        return std::vector<std::pair<QString, double>>{{on, 1}, {off, 0}};
+    };
+    if (action.name == "ball") return switches(Words::tr("Put in"), Words::tr("Take away"));
+    if (action.name == "dead") return switches(Words::tr("Switch off"), Words::tr("Switch on"));
+    if (action.name == "plugged") return switches(Words::tr("Plug in"), Words::tr("Pull out"));
+    if (action.name == "experiment") return {{Words::tr("Send"), 1}};
+    if (action.name == "e-stop") {
+        return {{Words::tr("Run"), 3}, {Words::tr("Stop"), 2}, {Words::tr("Not plugged in"), 1}};
+    }
+    if (action.name == "radio-failure") {
+        return {{Words::tr("None"), -1}, {Words::tr("Radio 0"), 0}, {Words::tr("Radio 1"), 1}};
+    }
+    return {};
+}
+
+}  // namespace kickstand::ui

@@ -1,0 +1,163 @@
+#include "ui/thunderbots/tile_content.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "core/thunderbots/wire/readings.h"
+#include "ui/thunderbots/words.h"
+
+namespace kickstand::ui {
+
+namespace {
+
+using namespace thunderbots;
+
+/// A full battery of these robots: four cells of 4.2 V.
+constexpr double kBatteryFull_V = 16.8;
+constexpr double kCapacitorFull_V = 230;
+
+struct TileText {
+    Q_DECLARE_TR_FUNCTIONS(RobotTile)
+};
+
+double batteryPart(double volts) {
+    return std::clamp((volts - wire::kBatteryLockOut_V) / (kBatteryFull_V - wire::kBatteryLockOut_V), 0.0,
+                      1.0);
+}
+
+double capacitorPart(double volts) {
+    return std::clamp(volts / kCapacitorFull_V, 0.0, 1.0);
+}
+
+/// Bars move in steps that can be seen, so that noise repaints nothing.
+double step(double part) {
+    return std::round(part * 64) / 64;
+}
+
+QString doing(const RobotState& state) {
+    if (!state.told) return {};
+    const wire::DriveBlock& told = *state.told;
+    QStringList parts;
+    const bool turns =
+        std::any_of(told.wheels.begin(), told.wheels.end(), [](int speed) { return speed != 0; });
+    if (told.charge) parts << TileText::tr("charging");
+    if (told.autokickArmed) parts << TileText::tr("autokick");
+    if (told.dribble) parts << TileText::tr("dribbler");
+    parts << (!told.run ? TileText::tr("braked") : turns ? TileText::tr("moving") : TileText::tr("holding"));
+    return parts.join(QStringLiteral(" \u00b7 "));
+}
+
+void addBattery(TileContent& tile, const Readings& readings) {
+    tile.battery = batteryText(readings.battery_V);
+    tile.batteryLevel = step(batteryPart(readings.battery_V));
+    if (tile.stale) return;
+    if (readings.battery_V < wire::kBatteryEmpty_V) {
+        tile.battery = TileText::tr("%1 empty").arg(tile.battery);
+        tile.batteryWeight = TileContent::Weight::Warning;
+    } else if (readings.battery_V < wire::kBatteryLow_V) {
+        tile.battery = TileText::tr("%1 low").arg(tile.battery);
+        tile.batteryWeight = TileContent::Weight::Warning;
+    }
+}
+
+void addCapacitor(TileContent& tile, const RobotState& state) {
+    const double volts = state.capacitor ? state.capacitor->last_V : state.readings.capacitor_V;
+    tile.capacitor = capacitorText(volts);
+    if (tile.stale) tile.capacitor += u'?';
+    tile.capacitorLevel = step(capacitorPart(volts));
+    tile.capacitorLive = isLive(state);
+}
+
+void addStale(TileContent& tile, const RobotState& state, TimePoint now) {
+    const QString age = ageText(now - state.currentUntil);
+    if (tile.capacitorLive) {
+        tile.chips.push_back(
+            {TileText::tr("last seen %1 ago: treat as live").arg(age), TileContent::Weight::Danger});
+    } else {
+        tile.state = TileText::tr("last seen %1 ago").arg(age);
+    }
+}
+
+void addCurrent(TileContent& tile, const RobotState& state) {
+    if (state.readings.charged) tile.chips.push_back({TileText::tr("charged"), TileContent::Weight::Danger});
+    if (state.readings.ball) tile.chips.push_back({TileText::tr("ball"), TileContent::Weight::Accent});
+    tile.state = doing(state);
+}
+
+QString sentence(const TileContent& tile) {
+    QStringList parts{TileText::tr("Robot %1").arg(tile.robot)};
+    if (tile.known) {
+        parts << TileText::tr("battery %1").arg(tile.battery);
+        parts << (tile.capacitorLive ? TileText::tr("capacitor %1, live") : TileText::tr("capacitor %1"))
+                     .arg(tile.capacitor);
+    }
+    for (const TileContent::Chip& chip : tile.chips)
+        parts << chip.text;
+    if (!tile.state.isEmpty()) parts << tile.state;
+    if (tile.chosen) parts << TileText::tr("chosen");
+    return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+const double kBatteryEmptyMark = batteryPart(wire::kBatteryEmpty_V);
+const double kBatteryLowMark = batteryPart(wire::kBatteryLow_V);
+const double kCapacitorLiveMark = capacitorPart(wire::kCapacitorLive_V);
+const double kCapacitorChargedMark = capacitorPart(wire::kCapacitorCharged_V);
+
+TileContent tileContent(int robot, const RobotState& state, bool chosen, TimePoint now) {
+    TileContent tile;
+    tile.robot = robot;
+    tile.live = state.live;
+    tile.chosen = chosen;
+    tile.known = state.feedback.has_value();
+    tile.stale = state.freshness == Freshness::Stale;
+    if (tile.known) {
+        addBattery(tile, state.readings);
+        addCapacitor(tile, state);
+    }
+    switch (state.freshness) {
+        case Freshness::NotHeard:
+            tile.state = TileText::tr("not heard");
+            break;
+        case Freshness::Waiting:
+            tile.state = TileText::tr("heard, no readings yet");
+            break;
+        case Freshness::Current:
+            addCurrent(tile, state);
+            break;
+        case Freshness::Stale:
+            addStale(tile, state, now);
+            break;
+    }
+    tile.accessible = sentence(tile);
+    return tile;
+}
+
+QString readingsTip(int robot, const RobotState& state) {
+    if (!state.feedback) return TileText::tr("Robot %1 has not been heard.").arg(robot);
+    const wire::FeedbackBlock& raw = *state.feedback;
+    const Readings& readings = state.readings;
+    QStringList lines{TileText::tr("Robot %1").arg(robot)};
+    if (state.freshness == Freshness::Stale) lines << TileText::tr("Readings of before it was lost:");
+    lines << TileText::tr("Battery %1 V (ADC %2): low below %3 V, empty below %4 V")
+                 .arg(readings.battery_V, 0, 'f', 2)
+                 .arg(raw.battery_adc)
+                 .arg(wire::kBatteryLow_V, 0, 'f', 1)
+                 .arg(wire::kBatteryEmpty_V, 0, 'f', 1);
+    lines << TileText::tr("Capacitor %1 V (ADC %2): live from %3 V")
+                 .arg(readings.capacitor_V, 0, 'f', 1)
+                 .arg(raw.capacitor_adc)
+                 .arg(wire::kCapacitorLive_V, 0, 'f', 0);
+    lines << TileText::tr("Dribbler %1 \u00b0C (ADC %2)")
+                 .arg(readings.dribbler_C, 0, 'f', 0)
+                 .arg(raw.thermistor_adc);
+    lines << TileText::tr("Break beam (ADC %1): %2")
+                 .arg(raw.light_adc)
+                 .arg(readings.ball ? TileText::tr("ball") : TileText::tr("no ball"));
+    return lines.join(u'\n');
+}
+
+}  // namespace kickstand::ui

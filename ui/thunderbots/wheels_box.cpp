@@ -1,0 +1,142 @@
+#include "ui/thunderbots/wheels_box.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/thunderbots/limit_row.h"
+#include "ui/widgets/segmented.h"
+#include "ui/widgets/set_point_slider.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+using namespace thunderbots;
+
+namespace {
+
+enum RunSegment { kRun = 0, kBrake = 1, kNeither = -1 };
+
+QString rpmText(int units) {
+    return WheelsBox::tr("%1 rpm").arg(signedNumber(static_cast<int>(std::lround(wheel_rpm(units)))));
+}
+
+}  // namespace
+
+WheelsBox::WheelsBox(QWidget* parent)
+    : QWidget(parent),
+      run_(new Segmented({tr("Run"), tr("Brake")}, this)),
+      release_(new QCheckBox(tr("Release to zero"), this)),
+      dribbler_(new QPushButton(tr("Dribbler"), this)),
+      zero_(new QPushButton(tr("Zero   Z"), this)),
+      limit_(new LimitRow(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::kGap);
+    column->addWidget(makeTop());
+    const std::array names = {tr("1 front L"), tr("2 back L"), tr("3 back R"), tr("4 front R")};
+    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+        wheels_[i] = new SetPointSlider(names[i], this);
+        wheels_[i]->setObjectName(QStringLiteral("wheel%1").arg(i + 1));
+        const int index = static_cast<int>(i);
+        connect(wheels_[i], &SetPointSlider::asked, this,
+                [this, index](int value, bool held) { emit wheelAsked(index, value, held); });
+        column->addWidget(wheels_[i]);
+    }
+    column->addWidget(makeBottom());
+    setReleaseToZero(true);
+}
+
+QWidget* WheelsBox::makeTop() {
+    auto* top = new QWidget(this);
+    auto* row = new QHBoxLayout(top);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(run_);
+    row->addStretch(1);
+    row->addWidget(release_);
+    run_->button(kRun)->setObjectName(QStringLiteral("run"));
+    run_->button(kBrake)->setObjectName(QStringLiteral("brake"));
+    run_->button(kRun)->setToolTip(tr("Motors follow the set points."));
+    run_->button(kBrake)->setToolTip(tr("Motors are shorted: the wheels hold still."));
+    release_->setObjectName(QStringLiteral("releaseToZero"));
+    release_->setToolTip(tr("A slider springs back to zero when it is let go. Numbers that are typed stay."));
+    connect(run_, &Segmented::asked, this, [this](int index) {
+        if (index == kRun) emit runAsked();
+        if (index == kBrake) emit brakeAsked();
+    });
+    connect(release_, &QCheckBox::toggled, this, [this](bool on) {
+        setReleaseToZero(on);
+        emit releaseToZeroChanged(on);
+    });
+    return top;
+}
+
+QWidget* WheelsBox::makeBottom() {
+    auto* bottom = new QWidget(this);
+    auto* row = new QHBoxLayout(bottom);
+    row->setContentsMargins(0, 4, 0, 0);
+    row->setSpacing(metrics::kGap);
+    dribbler_->setObjectName(QStringLiteral("dribbler"));
+    dribbler_->setCheckable(true);
+    dribbler_->setAutoDefault(false);
+    zero_->setObjectName(QStringLiteral("zero"));
+    zero_->setAccessibleName(tr("Zero"));
+    zero_->setToolTip(tr("All four set points to zero (Z)"));
+    zero_->setAutoDefault(false);
+    row->addWidget(dribbler_);
+    row->addWidget(zero_);
+    row->addWidget(limit_, 1);
+    connect(dribbler_, &QPushButton::clicked, this, &WheelsBox::dribblerAsked);
+    connect(zero_, &QPushButton::clicked, this, &WheelsBox::zeroAsked);
+    connect(limit_, &LimitRow::asked, this, &WheelsBox::limitAsked);
+    return bottom;
+}
+
+void WheelsBox::showState(const ChoiceSummary& summary, int limit, bool wheels) {
+    run_->setCurrent(summary.live == 0           ? kNeither
+                     : summary.run == All::Every ? kRun
+                     : summary.run == All::None  ? kBrake
+                                                 : kNeither);
+    dribbler_->setText(summary.dribbler == All::Some ? tr("Dribbler (some)") : tr("Dribbler"));
+    if (wheels) dribbler_->setChecked(summary.dribbler == All::Every);
+    limit_->setLimit(limit);
+    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+        SetPointSlider* wheel = wheels_[i];
+        wheel->setLimit(limit);
+        if (wheels) wheel->showValue(summary.target[i].value_or(0));
+        wheel->setReached(summary.reached[i]);
+        const bool mixed = wheels && summary.live != 0 && !summary.target[i].has_value();
+        wheel->setMeaning(mixed ? tr("differ") : rpmText(wheel->value()));
+    }
+}
+
+void WheelsBox::setUsable(bool usable) {
+    for (QWidget* child : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        child->setEnabled(usable);
+}
+
+void WheelsBox::reset() {
+    for (SetPointSlider* wheel : wheels_)
+        wheel->reset();
+}
+
+WheelSpeeds WheelsBox::values() const {
+    WheelSpeeds values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = wheels_[i]->value();
+    return values;
+}
+
+bool WheelsBox::releasesToZero() const {
+    return release_->isChecked();
+}
+
+void WheelsBox::setReleaseToZero(bool on) {
+    release_->setChecked(on);
+    for (SetPointSlider* wheel : wheels_)
+        wheel->setReleaseToZero(on);
+}
+
+}  // namespace kickstand::ui
