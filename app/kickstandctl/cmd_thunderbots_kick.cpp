@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/kickstandctl/families.h"
+#include "app/kickstandctl/json.h"
 #include "app/kickstandctl/kick_options.h"
 #include "app/kickstandctl/motion.h"
 #include "app/kickstandctl/output.h"
@@ -42,9 +43,10 @@ class Progress {
         if (now - toldAt_ >= kProgressEvery && std::abs(capacitor_V - told_V_) >= kProgressStep_V) {
             toldAt_ = now;
             told_V_ = capacitor_V;
-            motion_.tell(QStringLiteral("capacitor"),
-                         {{QStringLiteral("robot"), robot_}, {QStringLiteral("capacitor_V"), capacitor_V}},
-                         Words::tr("Robot %1: %2").arg(robot_).arg(capacitorText(capacitor_V)));
+            motion_.tell(
+                QStringLiteral("capacitor"),
+                {{QStringLiteral("robot"), robot_}, {QStringLiteral("capacitor_V"), rounded(capacitor_V)}},
+                Words::tr("Robot %1: %2").arg(robot_).arg(capacitorText(capacitor_V)));
         }
         return capacitor_V;
     }
@@ -67,7 +69,7 @@ Outcome kickOnce(SessionRunner& runner, Motion& motion, int robot,
     QJsonObject facts = kickToJson(kick);
     facts[QStringLiteral("robot")] = robot;
     facts[QStringLiteral("given_to_dongle")] = true;
-    facts[QStringLiteral("capacitor_before_V")] = capacitor_V;
+    facts[QStringLiteral("capacitor_before_V")] = rounded(capacitor_V);
     motion.tell(QStringLiteral("kick"), facts,
                 Words::tr("Kick for robot %1 given to the dongle: %2; its capacitor had %3.")
                     .arg(robot)

@@ -1,4 +1,6 @@
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "app/kickstandctl/families.h"
@@ -19,6 +21,9 @@ namespace wire = thunderbots::wire;
 using thunderbots::Freshness;
 using thunderbots::kRobots;
 using thunderbots::RobotState;
+
+constexpr Duration kEndless = std::chrono::hours(24 * 365);
+constexpr Duration kLinesApart = std::chrono::milliseconds(250);
 
 /// "ball, charged", "stale for 12 s": what is not a number.
 QString conditionText(const RobotState& robot, TimePoint now) {
@@ -103,7 +108,10 @@ class Watch {
             const RobotState& robot = runner_.robot(number);
             Shown& shown = shown_[static_cast<std::size_t>(number)];
             if (shown.freshness == robot.freshness && shown.feedback == robot.feedback) continue;
-            shown = {robot.freshness, robot.feedback};
+            const TimePoint now = runner_.engine().now();
+            // A script gets every change; a person is spared the noise of the converters.
+            if (!context_.output.isJson() && !matters(shown, robot, now)) continue;
+            shown = {robot.freshness, robot.feedback, robot.readings, now};
             tell(number, robot);
         }
     }
@@ -112,7 +120,24 @@ class Watch {
     struct Shown {
         Freshness freshness = Freshness::NotHeard;
         std::optional<wire::FeedbackBlock> feedback;
+        thunderbots::Readings readings;
+        TimePoint at{};
     };
+
+    /// Whether a person would see a difference: a state at once, a number when it has moved a little and the
+    /// last line is not too fresh.
+    static bool matters(const Shown& shown, const RobotState& robot, TimePoint now) {
+        const thunderbots::Readings& before = shown.readings;
+        const thunderbots::Readings& after = robot.readings;
+        if (shown.freshness != robot.freshness || before.ball != after.ball ||
+            before.charged != after.charged)
+            return true;
+        if (now - shown.at < kLinesApart) return false;
+        return std::abs(after.battery_V - before.battery_V) >= 0.1 ||
+               std::abs(after.capacitor_V - before.capacitor_V) >= 2 ||
+               std::abs(after.dribbler_C - before.dribbler_C) >= 2 ||
+               std::abs(after.light_adc - before.light_adc) >= 10;
+    }
 
     void tell(int number, const RobotState& robot) {
         const TimePoint now = runner_.state().time;
@@ -134,14 +159,7 @@ class Watch {
     std::array<Shown, kRobots> shown_;
 };
 
-Outcome monitor(const Context& context) {
-    std::optional<Duration> span;
-    if (context.invocation.has("--for")) {
-        const auto parsed = parseSeconds(context.invocation.text("--for"), "--for");
-        if (!parsed) return tl::unexpected(parsed.error());
-        span = *parsed;
-    }
-    SessionRunner runner(context);
+Outcome watchFor(SessionRunner& runner, const Context& context, Duration span) {
     runner.setObserver([&](const EngineEvent& event) {
         context.output.value(toJson(runner.engine(), event));
         context.output.line(eventLine(runner.engine(), event));
@@ -153,10 +171,24 @@ Outcome monitor(const Context& context) {
             watch.look();
             return false;
         },
-        span.value_or(std::chrono::hours(24 * 365)));
+        span);
+    if (!watched) return tl::unexpected(watched.error());
+    return {};
+}
+
+Outcome monitor(const Context& context) {
+    const bool endless = !context.invocation.has("--for");
+    Duration span = kEndless;
+    if (!endless) {
+        const auto parsed = parseSeconds(context.invocation.text("--for"), "--for");
+        if (!parsed) return tl::unexpected(parsed.error());
+        span = *parsed;
+    }
+    SessionRunner runner(context);
+    Outcome outcome = watchFor(runner, context, span);
     // Ctrl+C is how one that has no end is ended.
-    if (watched || (!span && context.interruption.isRequest())) return {};
-    return tl::unexpected(watched.error());
+    if (endless && context.interruption.isRequest()) return {};
+    return outcome;
 }
 
 constexpr std::array kMonitorOptions{

@@ -52,8 +52,12 @@ Interruption::Interruption() {
     struct sigaction action = {};
     action.sa_handler = onSignal;
     sigemptyset(&action.sa_mask);
-    for (const int number : kSignals)
-        sigaction(number, &action, nullptr);
+    for (const int number : kSignals) {
+        struct sigaction before = {};
+        sigaction(number, &action, &before);
+        // Whoever starts it under nohup wants it to outlive the terminal.
+        if (number == SIGHUP && before.sa_handler == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    }
     std::signal(SIGPIPE, SIG_IGN);
 }
 

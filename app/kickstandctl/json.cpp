@@ -12,11 +12,6 @@ QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Volts and degrees with the digits that a reading really has.
-double rounded(double value) {
-    return std::round(value * 100) / 100;
-}
-
 QString nameOf(const EngineNote& note) {
     static constexpr std::array kNames{"stopped", "rearmed", "answers-lost", "session-opened",
                                        "session-closed"};
@@ -27,6 +22,10 @@ QString nameOf(const SystemEvent& event) {
 }
 
 }  // namespace
+
+double rounded(double value) {
+    return std::round(value * 100) / 100;
+}
 
 QString name(thunderbots::Freshness freshness) {
     switch (freshness) {

@@ -10,6 +10,8 @@ namespace kickstand::ctl {
 
 // The shapes of what --json prints. Names are stable; numbers are in the unit that their name ends with.
 
+/// Volts and degrees with the digits that a reading really has.
+double rounded(double value);
 /// "not-heard", "waiting", "current", "stale".
 QString name(thunderbots::Freshness freshness);
 /// UTC with milliseconds: "2024-05-01T12:04:03.118Z".

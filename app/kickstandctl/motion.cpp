@@ -19,7 +19,11 @@ Outcome Motion::begin(thunderbots::RobotMask robots) {
 }
 
 void Motion::told(const EngineEvent& event) {
-    if (style_ == Style::Stream) {
+    // Of robots that were not asked for, only what somebody should worry about.
+    const int robot = robotOf(event);
+    const bool concerns = robot < 0 || thunderbots::contains(robots_, robot) ||
+                          describe(event).severity != Severity::Information;
+    if (style_ == Style::Stream && concerns) {
         context_.output.value(toJson(runner_.engine(), event));
         context_.output.line(eventLine(runner_.engine(), event));
     }
@@ -59,7 +63,7 @@ Outcome Motion::end(Outcome outcome) {
         const QString live = liveCapacitorText(number, robot);
         if (live.isEmpty()) continue;
         capacitors.append(QJsonObject{{QStringLiteral("robot"), number},
-                                      {QStringLiteral("last_V"), robot.capacitor->last_V}});
+                                      {QStringLiteral("last_V"), rounded(robot.capacitor->last_V)}});
         context_.output.line(live);
     }
     QJsonObject facts{{QStringLiteral("braked"), braked},

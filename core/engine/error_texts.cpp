@@ -15,9 +15,9 @@ constexpr char kInstallUdevRule[] =
 
 // What was asked for makes no sense, or the bytes do not.
 constexpr ErrorText kInput[] = {
-    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject} cannot be used like this: {detail}."),
+    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject} is not right: {detail}."),
      QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
-    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject}[ of robot {robot}] cannot be used like this."),
+    {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject}[ of robot {robot}] is not right."),
      QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
     {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "What was asked for makes no sense[: {detail}]."),
      QT_TRANSLATE_NOOP("Error", "Check what was entered.")},
@@ -44,10 +44,10 @@ constexpr ErrorText kInput[] = {
     {Errc::BadUri, QT_TRANSLATE_NOOP("Error", "That is not a link that can be opened here[: {subject}]."),
      QT_TRANSLATE_NOOP("Error", "A link looks like usb:, usb:?port=1-2.3 or sim:thunderbots.")},
 
-    {Errc::Unsupported, QT_TRANSLATE_NOOP("Error", "“{subject}” cannot be done on this link[: {detail}]."),
-     QT_TRANSLATE_NOOP("Error", "Use one that can.")},
-    {Errc::Unsupported, QT_TRANSLATE_NOOP("Error", "That cannot be done on this link[: {detail}]."),
-     QT_TRANSLATE_NOOP("Error", "Use one that can.")},
+    {Errc::Unsupported, QT_TRANSLATE_NOOP("Error", "“{subject}” is not possible here[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "The help says what is.")},
+    {Errc::Unsupported, QT_TRANSLATE_NOOP("Error", "That is not possible here[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "The help says what is.")},
 
     {Errc::NoEncoding,
      QT_TRANSLATE_NOOP(

@@ -34,7 +34,7 @@ std::string lineOf(const Error& error) {
 
 TEST(DescribeError, EveryCodeHasItsOwnSentenceWithNoFactsAtAll) {
     std::map<std::string, Errc> seen;
-    ASSERT_GT(allCodes().size(), 30U);
+    ASSERT_GE(allCodes().size(), 30U);
     const std::string noWords = whatOf(errorOf(static_cast<Errc>(250)));
     for (const Errc code : allCodes()) {
         const std::string what = whatOf(errorOf(code));
@@ -61,7 +61,9 @@ TEST(DescribeError, WithAllFactsNothingIsLeftUnfilled) {
         error.lowest = 1;
         error.highest = 2;
         error.got = 4;
-        EXPECT_EQ(lineOf(error).find_first_of("{}[]\n"), std::string::npos) << lineOf(error);
+        const Description description = describe(error);
+        const std::string sentences = (description.what + description.remedy).toStdString();
+        EXPECT_EQ(sentences.find_first_of("{}[]\n"), std::string::npos) << sentences;
     }
 }
 
