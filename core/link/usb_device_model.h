@@ -60,7 +60,8 @@ class UsbDeviceModel {
     virtual void setListener(UsbDeviceListener* listener) = 0;
 
     /// A control transfer, standard requests included. For IN, `in` is replaced by the answer (cut by the
-    /// caller to setup.length). Never Nak.
+    /// caller to setup.length). A simulator never answers Nak; a host that hears it asks again until its
+    /// deadline.
     virtual UsbHandshake control(const UsbSetup& setup, ByteView out, std::vector<std::uint8_t>& in) = 0;
     /// One OUT packet, taken whole or not at all.
     virtual UsbHandshake out(std::uint8_t endpoint, ByteView packet) = 0;

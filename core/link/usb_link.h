@@ -17,15 +17,17 @@ class UsbLink {
 
     /// Finds the device, sets configuration 0 and then 1, and claims its interfaces; what an earlier program
     /// left in the device is gone. Errors: NoDevice, SeveralDevices, PermissionDenied, ClaimedElsewhere, Io;
-    /// Disconnected when it vanished meanwhile. A link that is closed or lost may be opened again.
+    /// Disconnected when it vanished meanwhile, Cancelled when close() came meanwhile, BadArgument when the
+    /// link is not closed. A link that is closed or lost may be opened again.
     virtual void open(std::function<void(Result<UsbDeviceInfo>)> done) = 0;
 
     /// Ends all transfers (Cancelled), releases and closes the device; `done` comes after the last of their
     /// callbacks. On a link that is not open, `done` comes at once.
     virtual void close(std::function<void()> done) = 0;
 
-    /// A control transfer on endpoint 0. For OUT, `data` is copied; for IN, at most `setup.length` bytes come
-    /// back.
+    /// A control transfer on endpoint 0. For OUT, `data` is copied and has setup.length bytes, else the
+    /// transfer ends Failed; for IN, at most setup.length bytes come back. `deadline` counts from this call.
+    /// On a link that is not open the transfer ends NoDevice.
     virtual void control(const UsbSetup& setup, ByteView data, Duration deadline, UsbCallback done) = 0;
 
     /// Queues one OUT packet (interrupt or bulk), which may be empty. `data` is copied. Packets of an
@@ -41,11 +43,13 @@ class UsbLink {
     /// it.
     virtual void cancel(UsbTransferId id) = 0;
 
-    /// Clears the stall of an endpoint, at the device and at the host (USB 2.0, 9.4.5).
+    /// Clears the stall of an endpoint, at the device and at the host (USB 2.0, 9.4.5). Ends Failed for an
+    /// endpoint that is not there, NoDevice on a link that is not open.
     virtual void clearHalt(std::uint8_t endpoint, UsbCallback done) = 0;
 
-    /// Tells when a matching device appears (true) or the opened one vanishes (false). Before the latter
-    /// every pending transfer has ended with NoDevice, and the link counts as closed. One listener.
+    /// Tells when a matching device appears while the link is not open (true), or the opened one vanishes
+    /// (false). Before the latter every pending transfer has ended with NoDevice; with it the link counts as
+    /// closed. A device that is there from the beginning is not told: open() finds it. One listener.
     virtual void setPresenceListener(std::function<void(bool present)> listener) = 0;
 };
 

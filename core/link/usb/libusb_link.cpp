@@ -145,7 +145,8 @@ void LibusbLink::openDevice() {
     });
     if (!device) return post([this, error = device.error()] { openEnded(fail(error), nullptr); });
     ownedDevice_ = std::move(*device);
-    post([this, opened = ownedDevice_.get()] { openEnded(opened->info(), opened); });
+    // With a copy of the info: should the link be closed before this arrives, the device is gone by then.
+    post([this, info = ownedDevice_->info(), opened = ownedDevice_.get()] { openEnded(info, opened); });
 }
 
 void LibusbLink::openEnded(Result<UsbDeviceInfo> opened, LibusbDevice* device) {
