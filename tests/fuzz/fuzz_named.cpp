@@ -17,6 +17,7 @@ namespace {
 
 std::vector<FieldText> textOf(const std::vector<DecodedField>& decoded) {
     std::vector<FieldText> fields;
+    fields.reserve(decoded.size());
     for (const DecodedField& field : decoded) {
         fields.emplace_back(field.name, field.isBytes ? toHex(field.bytes) : std::to_string(field.value));
     }

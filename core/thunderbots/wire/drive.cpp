@@ -35,9 +35,9 @@ WireResult<DriveBlock> decodeDrive(ByteView payload) noexcept {
     block.autokick.flag1 = in.flag(at::kMask1);
     block.autokick.flag2 = in.flag(at::kMask2);
     block.autokickArmed = in.flag(at::kArmed);
-    for (std::size_t i = 0; i < kWheelCount; ++i) {
-        block.wheels[i] = static_cast<std::int16_t>(in.number(at::kWheels[i]));
-    }
+    const auto speed = [&in](const FieldSpec& field) { return static_cast<std::int16_t>(in.number(field)); };
+    block.wheels = {speed(at::kWheels[0]), speed(at::kWheels[1]), speed(at::kWheels[2]),
+                    speed(at::kWheels[3])};
     block.testClass = in.byte(at::kTestClass);
     block.testTarget = in.byte(at::kTestTarget);
     block.autokick.t1 = in.byte(at::kT1);

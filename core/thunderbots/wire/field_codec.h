@@ -68,7 +68,7 @@ class FieldReader {
         const std::int32_t value =
             field.kind == FieldKind::Signed ? signExtend(raw, field.width) : static_cast<std::int32_t>(raw);
         const bool legal = value >= field.lowest && value <= field.highest;
-        if (!legal && !field.lenient && !error_) error_ = fault(WireFault::BadValue, field, value);
+        if (!legal && !field.lenient) remember(fault(WireFault::BadValue, field, value));
         return value;
     }
     constexpr bool flag(const FieldSpec& field) noexcept { return number(field) != 0; }
@@ -82,13 +82,20 @@ class FieldReader {
     /// `value`, unless a field was wrong.
     template <class T>
     constexpr WireResult<T> result(T value) const noexcept {
-        if (error_) return tl::unexpected(*error_);
+        if (failed_) return tl::unexpected(error_);
         return value;
     }
 
   private:
+    constexpr void remember(const WireError& error) noexcept {
+        if (failed_) return;
+        failed_ = true;
+        error_ = error;
+    }
+
     ByteView bytes_;
-    std::optional<WireError> error_;
+    WireError error_;
+    bool failed_ = false;
 };
 
 /// Writes the fields of one message whose length has been made, and remembers the first value out of range.
@@ -99,7 +106,7 @@ class FieldWriter {
 
     constexpr void number(const FieldSpec& field, std::int32_t value) noexcept {
         const bool legal = value >= field.lowest && value <= field.highest;
-        if (!legal && !error_) error_ = fault(WireFault::OutOfRange, field, value);
+        if (!legal) remember(fault(WireFault::OutOfRange, field, value));
         put(field, value);
     }
     /// The same for a value that is kept as it came, legal or not.
@@ -110,13 +117,20 @@ class FieldWriter {
     /// `message`, unless a field was wrong.
     template <class T>
     constexpr WireResult<T> result(const T& message) const noexcept {
-        if (error_) return tl::unexpected(*error_);
+        if (failed_) return tl::unexpected(error_);
         return message;
     }
 
   private:
+    constexpr void remember(const WireError& error) noexcept {
+        if (failed_) return;
+        failed_ = true;
+        error_ = error;
+    }
+
     ByteSpan bytes_;
-    std::optional<WireError> error_;
+    WireError error_;
+    bool failed_ = false;
 };
 
 }  // namespace kickstand::thunderbots::wire

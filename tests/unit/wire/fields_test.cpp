@@ -34,7 +34,7 @@ TEST(FieldTables, NamesAreUniqueAndEverythingIsDescribed) {
 TEST(FieldTables, EveryBitOfEveryMessageBelongsToExactlyOneField) {
     for (const MessageSpec& message : messages()) {
         std::multiset<int> bits;
-        std::size_t end = message.minBytes * 8U;
+        std::size_t end = std::size_t{message.minBytes} * 8;
         for (const FieldSpec& field : message.fields) {
             if (!hasPlace(field)) end = field.firstBit;
             for (int bit = 0; bit < field.width; ++bit)

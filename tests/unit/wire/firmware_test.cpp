@@ -103,7 +103,8 @@ TEST(Firmware, EveryCutOrLengthenedMessageOfFixedLengthIsRefused) {
         Bytes payload = hex(text);
         payload.push_back(0);
         expectFault(decodeFirmwareRequest(payload), WireFault::TooLong, "length");
-        payload.resize(payload.size() - 2);
+        payload.pop_back();
+        payload.pop_back();
         expectFault(decodeFirmwareRequest(payload), WireFault::TooShort, "length");
     }
     for (const auto& [response, text] : responses()) {
@@ -111,7 +112,8 @@ TEST(Firmware, EveryCutOrLengthenedMessageOfFixedLengthIsRefused) {
         Bytes payload = hex(text);
         payload.push_back(0);
         expectFault(decodeFirmwareResponse(payload), WireFault::TooLong, "length");
-        payload.resize(payload.size() - 2);
+        payload.pop_back();
+        payload.pop_back();
         expectFault(decodeFirmwareResponse(payload), WireFault::TooShort, "length");
     }
 }
