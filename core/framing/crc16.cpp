@@ -28,12 +28,14 @@ constexpr std::uint16_t step(std::uint16_t crc, std::uint8_t byte) {
 }  // namespace
 
 std::uint16_t crc16(ByteView bytes, std::uint16_t soFar) noexcept {
-    for (const std::uint8_t byte : bytes) soFar = step(soFar, byte);
+    for (const std::uint8_t byte : bytes)
+        soFar = step(soFar, byte);
     return soFar;
 }
 
 std::uint16_t crc16Fill(std::uint8_t byte, std::size_t count, std::uint16_t soFar) noexcept {
-    for (std::size_t i = 0; i < count; ++i) soFar = step(soFar, byte);
+    for (std::size_t i = 0; i < count; ++i)
+        soFar = step(soFar, byte);
     return soFar;
 }
 
