@@ -5,6 +5,12 @@
 #include "core/thunderbots/wire/readings.h"
 
 namespace kickstand::thunderbots {
+namespace {
+
+/// A dongle that has not taken the last blocks by then takes none: its own dead-man brakes the robots.
+constexpr Duration kLastBlocksLimit = std::chrono::milliseconds(300);
+
+}  // namespace
 
 Session::Session(Host host, std::unique_ptr<UsbLink> link)
     : host_(std::move(host)),
@@ -12,6 +18,10 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
       model_(host_.samples, [this](const Event& event) { modelEvent(event); }),
       controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }) {
     link_.addObserver(&model_);
+}
+
+Session::~Session() {
+    host_.scheduler.cancel(shutdownDeadline_);
 }
 
 void Session::start() {
@@ -57,7 +67,10 @@ void Session::robotLost(int robot, TimePoint time) {
     }
     driver(robot).halt();
     sendBlock(robot);
-    if (wasActive && model_.isOpen() && host_.stop.set(StopReason::RobotLost)) halt();
+    // With its radios down a dongle loses all of them at once: that is the link, not a robot.
+    const bool radios = model_.status().radios == wire::RadioState::Running;
+    const StopReason reason = radios ? StopReason::RobotLost : StopReason::LinkLost;
+    if (wasActive && model_.isOpen() && host_.stop.set(reason)) halt();
 }
 
 void Session::halt() {
@@ -186,12 +199,20 @@ void Session::shutdown(std::function<void()> done) {
         return;
     }
     halt();
-    controller_.stateTransport().whenDrained([this, done = std::move(done)](bool) {
-        raise(EventKind::Disconnected);
-        lastState_ = LinkState::Idle;
-        ++version_;
-        controller_.close(done);
-    });
+    shutDown_ = std::move(done);
+    shutdownDeadline_ = host_.scheduler.callAfter(kLastBlocksLimit, [this] { close(); });
+    controller_.stateTransport().whenDrained([this](bool) { close(); });
+}
+
+void Session::close() {
+    host_.scheduler.cancel(std::exchange(shutdownDeadline_, 0));
+    auto done = std::exchange(shutDown_, {});
+    // Closing ends what still waits for the last blocks, and that is this again.
+    if (!done) return;
+    raise(EventKind::Disconnected);
+    lastState_ = LinkState::Idle;
+    ++version_;
+    controller_.close(std::move(done));
 }
 
 Snapshot Session::snapshot() const {

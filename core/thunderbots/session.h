@@ -20,6 +20,9 @@ class Session {
     using Host = SessionHost<Event>;
 
     Session(Host host, std::unique_ptr<UsbLink> link);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
     /// Begins to look for the device.
     void start();
@@ -32,8 +35,8 @@ class Session {
     void halt();
     /// Whether anything moves, charges, is armed or discharges.
     bool active() const;
-    /// Brakes, waits until the link has taken it, closes. `done` comes once. Commands are refused from here
-    /// on.
+    /// Brakes, waits until the link has taken it, but not for long, and closes. `done` comes once. Commands
+    /// are refused from here on, and those under way are answered before it comes.
     void shutdown(std::function<void()> done);
 
     /// Rises whenever snapshot() would show something else.
@@ -70,6 +73,7 @@ class Session {
     void endDischarge(int robot, std::int64_t code);
     void haltDrivers();
     void resetConnection();
+    void close();
     void raise(EventKind kind, int robot = -1, std::int64_t code = 0, std::int64_t previous = 0,
                std::string text = {});
     RobotDriver& driver(int robot) { return drivers_[static_cast<std::size_t>(robot)]; }
@@ -86,6 +90,8 @@ class Session {
     bool heartbeatFresh_ = false;
     bool restarting_ = false;  ///< Braking for a new start of the radios: takes no commands.
     bool ending_ = false;      ///< shutdown() has been called: nothing begins any more.
+    std::function<void()> shutDown_;
+    TimerId shutdownDeadline_ = 0;
     std::uint64_t connections_ = 0;
     std::uint64_t version_ = 0;
     LinkState lastState_ = LinkState::Idle;
