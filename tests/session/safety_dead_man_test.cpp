@@ -10,7 +10,14 @@ using namespace std::chrono_literals;
 
 class DeadMan : public SafetyTest {
   protected:
-    using SafetyTest::SafetyTest;
+    /// All sixteen: the more robots share the radio, the longer each waits for its block.
+    static kickstand::testing::SessionRigOptions allRobots() {
+        auto made = options();
+        made.sim.robots = kAllRobots;
+        return made;
+    }
+    explicit DeadMan(kickstand::testing::SessionRigOptions made = allRobots())
+        : SafetyTest(std::move(made)) {}
 
     /// Time until no robot is driven any more; a minute when that never happens.
     Duration untilBraked() {
@@ -27,7 +34,7 @@ class DeadMan : public SafetyTest {
 };
 
 TEST_F(DeadMan, AFrozenWindowBrakesWithinSixTenthsOfASecond) {
-    for (int robot = 0; robot < 4; ++robot)
+    for (int robot = 0; robot < kRobots; ++robot)
         drive(robot);
     rig.flows().heartbeat.beat(rig.scheduler().now());
     rig.beat(false);
@@ -82,7 +89,7 @@ TEST_F(DeadMan, ASignOfLifeThatComesBackStartsNothing) {
 }
 
 TEST_F(DeadMan, AKilledProgramBrakesWithinTwoPointTwoSeconds) {
-    for (int robot = 0; robot < 4; ++robot)
+    for (int robot = 0; robot < kRobots; ++robot)
         drive(robot);
     rig.killHost();
     const Duration braked = untilBraked();
@@ -91,7 +98,7 @@ TEST_F(DeadMan, AKilledProgramBrakesWithinTwoPointTwoSeconds) {
 }
 
 TEST_F(DeadMan, AnUnpluggedDongleBrakesWithinOnePointOneSeconds) {
-    for (int robot = 0; robot < 4; ++robot)
+    for (int robot = 0; robot < kRobots; ++robot)
         drive(robot);
     rig.simulate("plugged", 0);
     EXPECT_LE(untilBraked(), 1100ms);
