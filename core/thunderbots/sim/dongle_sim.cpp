@@ -163,7 +163,7 @@ void DongleSim::watchHost() {
 }
 
 void DongleSim::brakeAll() {
-    for (std::uint8_t robot = 0; robot < blocks_.size(); ++robot) {
+    for (std::uint8_t robot = 0; robot < wire::kRobotCount; ++robot) {
         if (blocks_[robot][0] == 0) continue;
         blocks_[robot][0] = 0;
         radio_.driveChanged(robot);

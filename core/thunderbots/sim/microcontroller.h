@@ -13,8 +13,7 @@ namespace kickstand::thunderbots::sim {
 /// parameters' volatile shadow (protocol 4.8, 6.7).
 class Microcontroller {
   public:
-    /// The program memory, and the part of it that is copied from the SPI flash and signed.
-    static constexpr std::size_t kImageBytes = 128 * 1024;
+    /// The part of the program memory that is copied from the SPI flash and signed.
     static constexpr std::size_t kSignedBytes = 0x1F000;
 
     explicit Microcontroller(const wire::OperationalParameters& committed)

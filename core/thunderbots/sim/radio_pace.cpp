@@ -27,7 +27,7 @@ constexpr std::size_t kDiscoveryBytes = 1;
 
 void RadioSim::idealTick() {
     expirePolls();
-    for (std::uint8_t robot = 0; robot < peers_.size(); ++robot) {
+    for (std::uint8_t robot = 0; robot < wire::kRobotCount; ++robot) {
         if (!peers_[robot].alive) continue;
         broadcast(robot);
         if (!peers_[robot].polled) poll(robot);
@@ -63,7 +63,7 @@ Duration RadioSim::phaseTime() {
         case Phase::FirstBroadcast:
             cycleRobots_.clear();
             messageTurn_ = 0;
-            for (std::uint8_t robot = 0; robot < peers_.size(); ++robot) {
+            for (std::uint8_t robot = 0; robot < wire::kRobotCount; ++robot) {
                 if (peers_[robot].alive) cycleRobots_.push_back(robot);
             }
             return broadcastTime(std::min(cycleRobots_.size(), kBroadcastRobots));

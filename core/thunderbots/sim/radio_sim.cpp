@@ -44,7 +44,7 @@ void RadioSim::stop() {
 }
 
 void RadioSim::breakDown() {
-    for (std::uint8_t robot = 0; robot < peers_.size(); ++robot) {
+    for (std::uint8_t robot = 0; robot < wire::kRobotCount; ++robot) {
         if (peers_[robot].alive) drop(robot);
     }
     stop();
@@ -151,7 +151,7 @@ bool RadioSim::takeMessage(std::uint8_t robot, const RadioMessage& message) {
 }
 
 void RadioSim::expirePolls() {
-    for (std::uint8_t robot = 0; robot < peers_.size(); ++robot) {
+    for (std::uint8_t robot = 0; robot < wire::kRobotCount; ++robot) {
         Peer& peer = peers_[robot];
         if (!peer.polled || scheduler_.now() < *peer.polled + kPollTimeout) continue;
         peer.polled.reset();

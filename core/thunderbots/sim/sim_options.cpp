@@ -62,7 +62,7 @@ Result<std::uint16_t> readRobots(std::string_view text, const std::string& optio
     for (;;) {
         const std::size_t comma = text.find(',');
         const auto piece = readRange(text.substr(0, comma), option);
-        if (!piece) return piece;
+        if (!piece) return fail(piece.error());
         robots = static_cast<std::uint16_t>(robots | *piece);
         if (comma == std::string_view::npos) return robots;
         text.remove_prefix(comma + 1);
