@@ -180,6 +180,13 @@ std::optional<thunderbots::Event> SessionRig::last(thunderbots::EventKind kind) 
     return std::nullopt;
 }
 
+void SessionRig::forget() {
+    readFlows();
+    std::erase_if(answers_, [](const auto& entry) { return !entry.second.empty(); });
+    events_.clear();
+    packets_.clear();
+}
+
 void SessionRig::killHost() {
     core_->endSessions();
 }

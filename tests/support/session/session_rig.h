@@ -83,6 +83,8 @@ class SessionRig final : private LinkProvider, private UsbTapObserver {
     std::optional<thunderbots::Event> last(thunderbots::EventKind kind);
     const std::vector<TakenPacket>& packets() const { return packets_; }
     void forgetPackets() { packets_.clear(); }
+    /// Forgets answers, events and packets that were seen, for runs that last long.
+    void forget();
 
     /// The program ends without a word: no braked blocks, no closing. The device keeps its configuration.
     void killHost();

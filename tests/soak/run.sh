@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Runs one soak in full, on a release build, and prints its figures as JSON: run.sh thunderbots-day [HOURS] [SEED]
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+usage() {
+    echo "usage: $0 thunderbots-day [HOURS] [SEED]" >&2
+    exit 2
+}
+
+[ $# -ge 1 ] || usage
+case "$1" in
+thunderbots-day) program=thunderbots_day ;;
+*) usage ;;
+esac
+shift
+
+build=build/soak
+log=$build/build.log
+mkdir -p "$build"
+if ! { cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DKICKSTAND_GUI=OFF -DKICKSTAND_BENCH=OFF &&
+    ninja -C "$build" "$program"; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "$0: the build failed; the whole log is $log" >&2
+    exit 1
+fi
+exec "$build/tests/soak/$program" "$@"
