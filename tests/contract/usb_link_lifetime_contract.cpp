@@ -9,7 +9,9 @@ using Bytes = std::vector<std::uint8_t>;
 
 namespace {
 
-UsbSetup vendorIn(std::uint8_t request, std::uint16_t length) {}  // namespace
+UsbSetup vendorIn(std::uint8_t request, std::uint16_t length) {
+    return {0xC0, request, 0, 0, length};
+}
 
 TEST_P(UsbLinkContract, OpenTellsWhatTheDeviceIs) {
     const UsbDeviceInfo info = open();

@@ -212,14 +212,14 @@ Result<UsbTransferId> LibusbLink::submitOut(std::uint8_t endpoint, ByteView data
     TransferRequest request;
     request.endpoint = endpoint;
     request.out = data;
-    return submit(std::move(request), UsbDirection::Out, data.size(), std::move(done));
+    return submit(request, UsbDirection::Out, data.size(), std::move(done));
 }
 
 Result<UsbTransferId> LibusbLink::submitIn(std::uint8_t endpoint, std::size_t size, UsbCallback done) {
     TransferRequest request;
     request.endpoint = endpoint;
     request.size = size;
-    return submit(std::move(request), UsbDirection::In, size, std::move(done));
+    return submit(request, UsbDirection::In, size, std::move(done));
 }
 
 Result<UsbTransferId> LibusbLink::submit(TransferRequest request, UsbDirection direction, std::size_t size,
