@@ -13,6 +13,8 @@ UsbSetup vendorIn(std::uint8_t request, std::uint16_t length) {
     return {0xC0, request, 0, 0, length};
 }
 
+}  // namespace
+
 TEST_P(UsbLinkContract, OpenTellsWhatTheDeviceIs) {
     const UsbDeviceInfo info = open();
     EXPECT_EQ(info.vendor, Device::kVendor);
