@@ -8,6 +8,7 @@
 #include "app/kickstandctl/interruption.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
+#include "app/kickstandctl/words.h"
 
 namespace {
 
@@ -15,14 +16,19 @@ using namespace kickstand;
 using namespace kickstand::ctl;
 
 int run(const Invocation& invocation) {
-    Output output(invocation.json);
+    Interruption interruption;
+    Output output(invocation.json, interruption);
     if (invocation.wantsVersion || invocation.wantsHelp) {
         output.raw(invocation.wantsVersion ? versionText() : helpText(invocation.help));
         return output.failed() ? kFailed : kDone;
     }
-    Interruption interruption;
-    const Outcome outcome = invocation.command->run({invocation, output, interruption});
-    if (outcome) return output.failed() ? kFailed : kDone;
+    Outcome outcome = invocation.command->run({invocation, output, interruption});
+    if (outcome && output.failed()) {
+        outcome = failed({.code = Errc::Io});
+        outcome.error().text = {
+            Words::tr("Not everything could be written."), Words::tr("Check where the output goes."), {}};
+    }
+    if (outcome) return kDone;
     if (!output.hasValue()) output.value(QJsonObject{{QStringLiteral("error"), toJson(outcome.error())}});
     Output::complain(outcome.error());
     return outcome.error().exitCode;

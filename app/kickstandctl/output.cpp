@@ -5,25 +5,21 @@
 #include <QJsonObject>
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include "app/kickstandctl/interruption.h"
 #include "app/kickstandctl/words.h"
 
 namespace kickstand::ctl {
 namespace {
 
-/// False when not everything could be written.
-bool writeAll(int descriptor, QByteArrayView bytes) {
-    while (!bytes.isEmpty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), static_cast<std::size_t>(bytes.size()));
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes = bytes.sliced(written);
-    }
-    return true;
-}
+/// What a pipe takes without blocking when it takes anything.
+constexpr qsizetype kChunk = PIPE_BUF;
+constexpr int kLook_ms = 50;
 
 /// The value alone, without a document around it.
 QByteArray compact(const QJsonValue& value) {
@@ -68,14 +64,32 @@ void Output::table(const QList<QStringList>& rows) {
     }
 }
 
+bool Output::writable() {
+    for (;;) {
+        pollfd watched{STDOUT_FILENO, POLLOUT, 0};
+        if (::poll(&watched, 1, kLook_ms) > 0) return true;
+        interruption_.wait(Duration::zero());
+        if (interruption_.cause()) return false;
+    }
+}
+
 void Output::raw(const QString& text) {
-    if (!writeAll(STDOUT_FILENO, text.toUtf8())) failed_ = true;
+    const QByteArray bytes = text.toUtf8();
+    for (qsizetype at = 0; at < bytes.size() && !failed_;) {
+        const qsizetype count = std::min(kChunk, bytes.size() - at);
+        const ssize_t written =
+            writable() ? ::write(STDOUT_FILENO, bytes.constData() + at, static_cast<std::size_t>(count)) : 0;
+        if (written > 0)
+            at += written;
+        else if (written == 0 || errno != EINTR)
+            failed_ = true;
+    }
 }
 
 void Output::complain(const Failure& failure) {
-    const QString line = Words::tr("kickstandctl: %1").arg(failure.text.line());
+    const QByteArray line = Words::tr("kickstandctl: %1\n").arg(failure.text.line()).toUtf8();
     // Standard error is the last place there is: nothing is left to tell if it is gone.
-    (void)writeAll(STDERR_FILENO, (line + QLatin1Char('\n')).toUtf8());
+    (void)!::write(STDERR_FILENO, line.constData(), static_cast<std::size_t>(line.size()));
 }
 
 void reserveStandardStreams() {

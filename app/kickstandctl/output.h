@@ -7,11 +7,15 @@
 
 namespace kickstand::ctl {
 
+class Interruption;
+
 /// Where a command writes: standard output, as text or as JSON, each line at once. A reader that has gone is
 /// not an accident but a state, failed(). Main thread.
 class Output {
   public:
-    explicit Output(bool json) : json_(json) {}
+    /// A reader that takes nothing is waited for until `interruption` says otherwise; robots brake meanwhile,
+    /// for want of a heartbeat.
+    Output(bool json, Interruption& interruption) : json_(json), interruption_(interruption) {}
 
     bool isJson() const { return json_; }
     /// Whether something could not be written: the reader is gone, or the disk is full.
@@ -33,7 +37,10 @@ class Output {
     static void complain(const Failure& failure);
 
   private:
-    bool json_;
+    bool writable();
+
+    const bool json_;
+    Interruption& interruption_;
     bool failed_ = false;
     bool hasValue_ = false;
 };

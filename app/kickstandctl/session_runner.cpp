@@ -155,8 +155,8 @@ Outcome SessionRunner::settle() {
     return {};
 }
 
-Outcome SessionRunner::perform(thunderbots::Command command) {
-    const auto id = engine_.submit(session_, SystemCommand(std::move(command)));
+Outcome SessionRunner::perform(const thunderbots::Command& command) {
+    const auto id = engine_.submit(session_, SystemCommand(command));
     if (!id) return failed(id.error());
     std::optional<Result<void>> result;
     const auto answered = waitUntil(
@@ -213,7 +213,8 @@ const SessionSnapshot* SessionRunner::session() const {
 const thunderbots::Snapshot& SessionRunner::state() const {
     static const thunderbots::Snapshot kNothing;
     const SessionSnapshot* current = session();
-    return current == nullptr ? kNothing : std::get<thunderbots::Snapshot>(current->system);
+    const auto* system = current == nullptr ? nullptr : std::get_if<thunderbots::Snapshot>(&current->system);
+    return system == nullptr ? kNothing : *system;
 }
 
 void SessionRunner::refresh() {

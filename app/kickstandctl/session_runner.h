@@ -33,7 +33,7 @@ class SessionRunner {
     /// Waits until nothing new comes: every robot that is heard has readings, or two seconds have passed.
     Outcome settle();
     /// Hands in a command and waits for its answer.
-    Outcome perform(thunderbots::Command command);
+    Outcome perform(const thunderbots::Command& command);
     /// True when `met` came true, false when the time was over first.
     Expected<bool> waitUntil(const std::function<bool()>& met, Duration limit);
 

@@ -1,7 +1,9 @@
 #include "tests/app/program.h"
 
 #include <QJsonDocument>
+#include <cerrno>
 #include <chrono>
+#include <climits>
 #include <csignal>
 #include <utility>
 
@@ -11,8 +13,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace kickstand::test {
 namespace {
@@ -53,6 +53,7 @@ bool Ended::oneComplaint() const {
 Program::Program(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), KICKSTANDCTL);
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments)
         argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -127,12 +128,27 @@ bool Program::waitFor(const std::string& text) {
     return true;
 }
 
+void Program::fillPipe() const {
+    const std::string writeEnd = "/proc/self/fd/" + std::to_string(out_);
+    const int descriptor = ::open(writeEnd.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    ASSERT_GE(descriptor, 0);
+    const std::string line(PIPE_BUF, '\n');
+    while (::write(descriptor, line.data(), line.size()) > 0) {
+    }
+    EXPECT_EQ(errno, EAGAIN);
+    ::close(descriptor);
+}
+
+int Program::awaitExit() {
+    int status = 0;
+    ::waitpid(std::exchange(pid_, -1), &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 Ended Program::end() {
     while (readSome()) {
     }
-    int status = 0;
-    ::waitpid(std::exchange(pid_, -1), &status, 0);
-    ended_.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ended_.exitCode = awaitExit();
     return ended_;
 }
 

@@ -34,6 +34,10 @@ class Program {
     /// Reads until this stands on standard output. False when the program ended, or the watchdog did it.
     bool waitFor(const std::string& text);
     void signal(int number) const;
+    /// Leaves no room on standard output, as a reader does who has stopped reading.
+    void fillPipe() const;
+    /// Waits, reading nothing, until the program has ended; its exit code.
+    int awaitExit();
     /// Nobody reads standard output any more.
     void closeOutput();
     /// Reads until the program has ended.

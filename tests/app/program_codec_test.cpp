@@ -1,5 +1,6 @@
 // What works offline: --help, --version, decode and encode.
 
+#include <cstdlib>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -87,6 +88,18 @@ TEST(ProgramOffline, EncodesToJson) {
         run({"--json", "encode", "thunderbots.kick", "t1=75", "mask1=1", "mask2=1"}).object();
     EXPECT_EQ(encoded[QStringLiteral("hex")].toString(), QStringLiteral("cb 80 00"));
     EXPECT_EQ(encoded[QStringLiteral("bytes")].toArray(), (QJsonArray{0xCB, 0x80, 0x00}));
+}
+
+TEST(ProgramOffline, SaysTheSameInEveryLocale) {
+    const std::vector<std::string> arguments{"--json", "decode", "--units", "thunderbots.kick", "cb8000"};
+    const Ended usual = run(arguments);
+    for (const char* locale : {"C", "de_DE.UTF-8", "ar_EG.UTF-8", "no such locale"}) {
+        ::setenv("LC_ALL", locale, 1);
+        const Ended other = run(arguments);
+        ::unsetenv("LC_ALL");
+        EXPECT_EQ(other.out, usual.out) << locale;
+        EXPECT_EQ(other.err, "") << locale;
+    }
 }
 
 TEST(ProgramOffline, NeverTripsOverBytes) {

@@ -61,6 +61,14 @@ TEST(ProgramEnd, AReaderThatIsGoneEndsTheDrive) {
     EXPECT_TRUE(ended.oneComplaint()) << ended.err;
 }
 
+TEST(ProgramEnd, AReaderThatTakesNothingDoesNotHoldItUp) {
+    Program program(kDriveLong);
+    ASSERT_TRUE(program.waitFor("\"driving\""));
+    program.fillPipe();
+    program.signal(SIGTERM);
+    EXPECT_EQ(program.awaitExit(), 1);
+}
+
 TEST(ProgramEnd, MonitorWithoutATimeEndsWellOnRequest) {
     Program program({"--link", "sim:thunderbots?robots=0", "--json", "thunderbots", "monitor"});
     ASSERT_TRUE(program.waitFor("\"readings\""));
