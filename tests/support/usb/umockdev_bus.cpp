@@ -44,7 +44,7 @@ class UmockdevBus::Port final : private UsbDeviceListener {
         model_.setListener(this);
         if (model_.attached()) plug();
     }
-    ~Port() {
+    ~Port() override {
         model_.setListener(nullptr);
         if (device_) unplug();
     }

@@ -273,6 +273,7 @@ TEST(ThreadScheduler, TakesPostsFromManyThreadsAndLosesNone) {
     bool ordered = true;
     ThreadScheduler scheduler;
     std::vector<std::thread> threads;
+    threads.reserve(kThreads);
     for (int t = 0; t < kThreads; ++t) {
         threads.emplace_back([&, t] {
             for (int i = 0; i < kPosts; ++i) {

@@ -14,7 +14,7 @@ using Device = testing::FakeUsbDevice;
 /// The pace of the bus, which the contract leaves open.
 class LoopbackPace : public ::testing::Test {
   protected:
-    void open(LoopbackOptions options = {}) {
+    void open(const LoopbackOptions& options = {}) {
         link_ = std::make_unique<LoopbackUsbLink>(scheduler_, device_, options);
         link_->open([](const Result<UsbDeviceInfo>& opened) { ASSERT_TRUE(opened); });
         scheduler_.advance(10ms);
