@@ -5,7 +5,7 @@
 
 #include "app/composition/composition.h"
 #include "app/kickstandctl/words.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 
 namespace kickstand::ctl {
 namespace {

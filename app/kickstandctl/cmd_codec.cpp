@@ -7,7 +7,7 @@
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/words.h"
 #include "core/base/hex.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 #include "core/thunderbots/wire/fields.h"
 #include "core/thunderbots/wire/generic.h"
 

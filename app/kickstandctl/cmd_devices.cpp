@@ -3,7 +3,7 @@
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/session_runner.h"
 #include "app/kickstandctl/words.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 
 namespace kickstand::ctl {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/kickstandctl/text.h"
 #include "app/kickstandctl/values.h"
 #include "app/kickstandctl/words.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 #include "core/thunderbots/wire/readings.h"
 
 namespace kickstand::ctl {

@@ -5,7 +5,7 @@
 
 #include "app/kickstandctl/words.h"
 #include "core/engine/describe.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 #include "core/thunderbots/wire/readings.h"
 
 namespace kickstand::ctl {

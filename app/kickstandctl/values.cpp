@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/kickstandctl/words.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 
 namespace kickstand::ctl {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 
-#include "core/engine/error_texts.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_error_texts.h"
+#include "core/engine/describe_facts.h"
 
 namespace kickstand {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/engine/describe.h"
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 #include "core/thunderbots/wire/faults.h"
 #include "core/thunderbots/wire/readings.h"
 #include "core/thunderbots/wire/test_mode.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/engine/describe.h"
-#include "core/engine/error_texts.h"
+#include "core/engine/describe_error_texts.h"
 
 namespace kickstand {
 namespace {

@@ -1,6 +1,6 @@
-#include "core/engine/fact_text.h"
-
 #include <gtest/gtest.h>
+
+#include "core/engine/describe_facts.h"
 
 namespace kickstand {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/engine/error_texts.h"
+#include "core/engine/describe_error_texts.h"
 
 #include <QtGlobal>
 #include <array>

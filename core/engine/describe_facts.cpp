@@ -1,4 +1,4 @@
-#include "core/engine/fact_text.h"
+#include "core/engine/describe_facts.h"
 
 namespace kickstand {
 namespace {
