@@ -52,7 +52,15 @@ void Tour::check() {
     const TourStep& step = steps_[current_];
     if (!step.done()) return;
     acted_ = false;
-    if (step.picture && !takePictures(step)) return;
+    if (step.picture) {
+        ++pictures_;
+        takePicture(ui::ThemeChoice::Dark);
+    } else {
+        goOn();
+    }
+}
+
+void Tour::goOn() {
     if (++current_ < steps_.size()) {
         begin();
         return;
@@ -62,20 +70,24 @@ void Tour::check() {
     emit finished(0);
 }
 
-bool Tour::takePictures(const TourStep& step) {
-    ++pictures_;
-    for (const auto& [choice, name] :
-         {std::pair{ui::ThemeChoice::Dark, "dark"}, std::pair{ui::ThemeChoice::Light, "light"}}) {
-        theme_.useNow(choice);
+void Tour::takePicture(ui::ThemeChoice theme) {
+    theme_.useNow(theme);
+    // Widgets hear of their new palette from the event loop.
+    QTimer::singleShot(0, this, [this, theme] {
+        if (over_) return;
+        const TourStep& step = steps_[current_];
+        const bool dark = theme == ui::ThemeChoice::Dark;
         const QString file = QStringLiteral("%1-%2-%3.png")
                                  .arg(pictures_, 2, 10, QLatin1Char('0'))
-                                 .arg(step.name, QLatin1String(name));
+                                 .arg(step.name, QLatin1String(dark ? "dark" : "light"));
         if (!step.picture().save(folder_.filePath(file))) {
             fail(tr("cannot write %1").arg(folder_.filePath(file)));
-            return false;
+        } else if (dark) {
+            takePicture(ui::ThemeChoice::Light);
+        } else {
+            goOn();
         }
-    }
-    return true;
+    });
 }
 
 void Tour::fail(const QString& why) {

@@ -10,6 +10,7 @@ namespace kickstand::ui {
 class Bench;
 class MainWindow;
 class Theme;
+enum class ThemeChoice;
 }  // namespace kickstand::ui
 
 namespace kickstand::app {
@@ -41,7 +42,8 @@ class Tour final : public QObject {
   private:
     void begin();
     void check();
-    bool takePictures(const TourStep& step);
+    void goOn();
+    void takePicture(ui::ThemeChoice theme);
     void fail(const QString& why);
 
     ui::Theme& theme_;

@@ -2,12 +2,48 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextList>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
+
+namespace {
+
+constexpr int kParagraphGap = 8;
+constexpr int kHeadingGap = 18;
+constexpr int kCellPadding = 6;
+
+/// Gives a page that was read from Markdown the room that it has in print.
+void setOut(QTextDocument& page, const Tokens& tokens) {
+    QTextCursor cursor(&page);
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+        cursor.setPosition(block.position());
+        if (cursor.currentTable() != nullptr) continue;
+        QTextBlockFormat format = block.blockFormat();
+        if (format.headingLevel() > 0) format.setTopMargin(kHeadingGap);
+        format.setBottomMargin(block.textList() == nullptr ? kParagraphGap : kParagraphGap / 2.0);
+        cursor.setBlockFormat(format);
+    }
+    for (QTextFrame* frame : page.rootFrame()->childFrames()) {
+        auto* table = qobject_cast<QTextTable*>(frame);
+        if (table == nullptr) continue;
+        QTextTableFormat format = table->format();
+        format.setBorderCollapse(true);
+        format.setBorder(1);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderBrush(tokens.line);
+        format.setCellPadding(kCellPadding);
+        format.setBottomMargin(kHeadingGap - kParagraphGap);
+        table->setFormat(format);
+    }
+}
+
+}  // namespace
 
 HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), browser_(new QTextBrowser(this)) {
     setObjectName(QStringLiteral("help"));
@@ -29,6 +65,8 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), browser_(
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(row);
     column->addWidget(browser_, 1);
+    connect(browser_, &QTextBrowser::sourceChanged, this,
+            [this] { setOut(*browser_->document(), tokensOf(palette())); });
     connect(back, &QPushButton::clicked, browser_, &QTextBrowser::backward);
     connect(browser_, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
     connect(contents, &QPushButton::clicked, this, [this] { showPage(QStringLiteral("index.md")); });

@@ -2,16 +2,33 @@
 
 #include <QCoreApplication>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 
 #include "ui/shell/bench.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
 
 namespace {
 
+constexpr QSize kPicture(40, 40);
+constexpr int kTextWidth = 420;
+
 QString text(const char* source) {
     return QCoreApplication::translate("LiveWarning", source);
+}
+
+QPixmap boltPicture(const QWidget& widget) {
+    QPixmap picture(kPicture * widget.devicePixelRatio());
+    picture.setDevicePixelRatio(widget.devicePixelRatio());
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    drawBolt(painter,
+             QRectF(QPointF(kPicture.width() * 0.2, 0), QSizeF(kPicture.width() * 0.6, kPicture.height())),
+             tokensOf(widget.palette()).danger);
+    return picture;
 }
 
 }  // namespace
@@ -39,13 +56,16 @@ QMessageBox* makeLiveWarning(const std::vector<Hazard>& hazards, TimePoint now, 
     for (const Hazard& hazard : hazards) {
         list += QStringLiteral("<li>%1</li>").arg(hazardLine(hazard, now).toHtmlEscaped());
     }
-    auto* box = new QMessageBox(QMessageBox::Warning, text("Live capacitors"),
-                                QStringLiteral("<b>%1</b>").arg(text("Capacitors are still charged.")),
-                                QMessageBox::NoButton, parent);
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, text("Live capacitors"),
+        QStringLiteral("<b style=\"font-size:15px\">%1</b>").arg(text("Capacitors are still charged.")),
+        QMessageBox::NoButton, parent);
+    box->setIconPixmap(boltPicture(*parent));
     box->setObjectName(QStringLiteral("liveWarning"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setInformativeText(
-        QStringLiteral("<ul>%1</ul><p>%2</p>")
+        QStringLiteral("<table width=\"%1\"><tr><td><ul>%2</ul><p>%3</p></td></tr></table>")
+            .arg(kTextWidth)
             .arg(
                 list,
                 text("Everything has been braked. Before anybody touches a robot: stay, re-arm, arm its high "

@@ -14,6 +14,14 @@ namespace {
 constexpr int kHeaderHeight = 36;
 constexpr int kHeaderFontSize = 12;
 
+/// A dock takes its title's height from the size hint alone.
+class PanelHeader final : public QWidget {
+  public:
+    using QWidget::QWidget;
+    QSize sizeHint() const override { return {QWidget::sizeHint().width(), kHeaderHeight}; }
+    QSize minimumSizeHint() const override { return {0, kHeaderHeight}; }
+};
+
 }  // namespace
 
 PanelDock::PanelDock(const QString& id, const QString& title, const QString& helpPage, Panel* panel,
@@ -21,8 +29,7 @@ PanelDock::PanelDock(const QString& id, const QString& title, const QString& hel
     : QDockWidget(title, parent), panel_(panel), helpPage_(helpPage) {
     setObjectName(id);
     setAccessibleName(title);
-    auto* header = new QWidget(this);
-    header->setFixedHeight(kHeaderHeight);
+    auto* header = new PanelHeader(this);
     auto* row = new QHBoxLayout(header);
     row->setContentsMargins(metrics::kPadding, 1, metrics::kGap, 1);
     row->setSpacing(metrics::kGap);

@@ -72,7 +72,7 @@ void StartPage::addOffers(QVBoxLayout* column) {
     for (const auto& view : bench_.systems().views()) {
         QHBoxLayout* row = nullptr;
         for (const LinkOffer& offer : view->offers()) {
-            auto* button = new QPushButton(offer.title, this);
+            auto* button = new QPushButton(offer.invitation, this);
             button->setAutoDefault(false);
             button->setToolTip(offer.explanation);
             connect(button, &QPushButton::clicked, this,
@@ -80,11 +80,10 @@ void StartPage::addOffers(QVBoxLayout* column) {
             if (first) {
                 button->setObjectName(QStringLiteral("simulate"));
                 setButtonRole(button, ButtonRole::Primary);
-                button->setText(tr("Try %1").arg(offer.title));
                 button->setFont(textFont(kLeadSize, QFont::DemiBold));
                 button->setFixedHeight(kBigButtonHeight);
                 column->addWidget(button);
-                QLabel* explanation = wrapped(offer.explanation, this);
+                auto* explanation = new QLabel(offer.explanation, this);
                 explanation->setForegroundRole(QPalette::PlaceholderText);
                 column->addWidget(explanation);
                 first = false;

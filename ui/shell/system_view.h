@@ -27,6 +27,7 @@ struct PanelEntry {
 /// A link that the window offers although nothing was found.
 struct LinkOffer {
     QString title;
+    QString invitation;  ///< On a button.
     QString explanation;
     LinkUri uri;
 };

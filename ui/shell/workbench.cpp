@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QSettings>
+#include <utility>
 
 #include "ui/shell/bench.h"
 #include "ui/shell/events_panel.h"
@@ -16,9 +17,8 @@ namespace {
 constexpr const char* kLayoutSetting = "window/docks";
 constexpr int kLayoutVersion = 1;
 constexpr int kSideWidth = 300;
-constexpr int kEventsHeight = 240;
-/// What is left of the window's height when the bars and the events have theirs.
-constexpr int kWorkHeight = 420;
+constexpr int kWorkHeight = 332;
+constexpr int kLeastEventsHeight = 160;
 
 }  // namespace
 
@@ -26,26 +26,49 @@ Workbench::Workbench(Bench& bench, QWidget* parent) : QMainWindow(parent, Qt::Wi
     setDockOptions(AllowNestedDocks | AllowTabbedDocks);
     setContentsMargins(metrics::kGap, metrics::kGap, metrics::kGap, metrics::kGap);
     addPanels();
-    firstLayout_ = saveState(kLayoutVersion);
 }
 
 void Workbench::addPanels() {
-    QDockWidget* lastRight = nullptr;
     for (const auto& view : bench_.systems().views()) {
         for (const PanelEntry& entry : view->panels()) {
-            auto* dock = new PanelDock(entry.id, entry.title, entry.helpPage, entry.make(bench_), this);
-            addDockWidget(entry.area, dock);
-            if (entry.area == Qt::RightDockWidgetArea) lastRight = dock;
-            docks_.push_back(dock);
+            docks_.push_back(new PanelDock(entry.id, entry.title, entry.helpPage, entry.make(bench_), this));
+            areas_.push_back(entry.area);
         }
     }
-    auto* events = new PanelDock(QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md"),
-                                 new EventsPanel(bench_), this);
-    addDockWidget(Qt::RightDockWidgetArea, events);
-    if (lastRight != nullptr) splitDockWidget(lastRight, events, Qt::Vertical);
-    docks_.push_back(events);
-    resizeDocks({docks_.front()}, {kSideWidth}, Qt::Horizontal);
-    if (lastRight != nullptr) resizeDocks({lastRight, events}, {kWorkHeight, kEventsHeight}, Qt::Vertical);
+    docks_.push_back(new PanelDock(QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md"),
+                                   new EventsPanel(bench_), this));
+    areas_.push_back(Qt::RightDockWidgetArea);
+    placePanels();
+}
+
+void Workbench::placePanels() {
+    QDockWidget* above = nullptr;
+    for (std::size_t i = 0; i < docks_.size(); ++i) {
+        addDockWidget(areas_[i], docks_[i]);
+        docks_[i]->show();
+        if (areas_[i] != Qt::RightDockWidgetArea) continue;
+        if (above != nullptr) splitDockWidget(above, docks_[i], Qt::Vertical);
+        above = docks_[i];
+    }
+}
+
+void Workbench::sizePanels() {
+    QList<QDockWidget*> side;
+    QList<QDockWidget*> right;
+    for (PanelDock* dock : docks_)
+        (dockWidgetArea(dock) == Qt::LeftDockWidgetArea ? side : right).append(dock);
+    if (!side.isEmpty() && !right.isEmpty()) {
+        resizeDocks({side.front(), right.front()}, {kSideWidth, width() - kSideWidth}, Qt::Horizontal);
+    }
+    QList<int> heights(right.size(), kWorkHeight);
+    if (!heights.isEmpty()) heights.back() = qMax(kLeastEventsHeight, height() - kWorkHeight);
+    resizeDocks(right, heights, Qt::Vertical);
+}
+
+void Workbench::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Only now is there a size to share out.
+    if (!std::exchange(sized_, true)) sizePanels();
 }
 
 PanelDock* Workbench::focusedDock() const {
@@ -56,7 +79,7 @@ PanelDock* Workbench::focusedDock() const {
 }
 
 void Workbench::restoreLayout() {
-    restoreState(bench_.settings().value(kLayoutSetting).toByteArray(), kLayoutVersion);
+    sized_ = restoreState(bench_.settings().value(kLayoutSetting).toByteArray(), kLayoutVersion);
 }
 
 void Workbench::saveLayout() const {
@@ -64,7 +87,12 @@ void Workbench::saveLayout() const {
 }
 
 void Workbench::resetLayout() {
-    restoreState(firstLayout_, kLayoutVersion);
+    for (PanelDock* dock : docks_) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    placePanels();
+    sizePanels();
 }
 
 }  // namespace kickstand::ui

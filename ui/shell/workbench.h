@@ -24,13 +24,17 @@ class Workbench final : public QMainWindow {
 
   protected:
     QMenu* createPopupMenu() override { return nullptr; }
+    void showEvent(QShowEvent* event) override;
 
   private:
     void addPanels();
+    void placePanels();
+    void sizePanels();
 
     Bench& bench_;
     std::vector<PanelDock*> docks_;
-    QByteArray firstLayout_;
+    std::vector<Qt::DockWidgetArea> areas_;
+    bool sized_ = false;  ///< Sizes are those that a person left.
 };
 
 }  // namespace kickstand::ui

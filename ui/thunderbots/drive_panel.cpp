@@ -112,6 +112,8 @@ void DrivePanel::connectBoxes() {
     connect(&bench(), &Bench::changed, this, &DrivePanel::refresh);
     connect(&bench().client(), &EngineClient::stopChanged, this, [this] {
         reset();
+        // The snapshot at hand is of before.
+        answeredAt_ = bench().client().now();
         refresh();
     });
 }

@@ -119,7 +119,7 @@ void RobotTile::paintFrame(QPainter& painter) const {
 void RobotTile::paintReadings(QPainter& painter) const {
     const Tokens& t = tokensOf(palette());
     const double right = width() - kSide;
-    const double top = height() >= 72 ? 5 : 3;
+    const double top = height() >= 76 ? 6 : 3;
     const QColor quiet = content_.live && !content_.stale ? t.text : t.muted;
     painter.setPen(quiet);
     if (!content_.known) {
@@ -134,11 +134,12 @@ void RobotTile::paintReadings(QPainter& painter) const {
         painter.drawText(QRectF(0, y, end, kLine), Qt::AlignRight | Qt::AlignVCenter, text);
     };
     const auto bar = [&](double y, const Level& level, const QColor& ink) {
-        drawLevel(painter, QRectF(right - kBarWidth, y, kBarWidth, kBarHeight), level, ink, t.line, t.muted);
+        drawLevel(painter, QRectF(right - kBarWidth, y, kBarWidth, kBarHeight), level, ink, t.line,
+                  content_.chosen ? t.accentSoft : t.surface);
     };
     const bool warned = content_.batteryWeight == TileContent::Weight::Warning;
     line(top, content_.battery, warned ? t.warn : quiet, warned, right);
-    const double second = top + kLine + (content_.stale ? 0 : 4);
+    const double second = top + kLine + (content_.stale ? 0 : 6);
     const bool danger = content_.capacitorLive;
     line(second, content_.capacitor, danger ? t.danger : quiet, danger,
          danger ? right - kBoltWidth - 3 : right);
@@ -148,8 +149,8 @@ void RobotTile::paintReadings(QPainter& painter) const {
                  t.danger);
     }
     if (content_.stale) return;
-    bar(top + kLine, {content_.batteryLevel, kBatteryEmptyMark, kBatteryLowMark}, warned ? t.warn : t.ok);
-    bar(second + kLine, {content_.capacitorLevel, kCapacitorLiveMark, kCapacitorChargedMark},
+    bar(top + kLine + 1, {content_.batteryLevel, kBatteryEmptyMark, kBatteryLowMark}, warned ? t.warn : t.ok);
+    bar(second + kLine + 1, {content_.capacitorLevel, kCapacitorLiveMark, kCapacitorChargedMark},
         danger ? t.danger : t.muted);
 }
 

@@ -12,6 +12,8 @@ namespace kickstand::ui {
 
 namespace {
 
+constexpr int kButtonHeight = 24;
+
 QColor fillOf(Banner::Kind kind, const Tokens& t) {
     switch (kind) {
         case Banner::Kind::Notice:
@@ -77,6 +79,7 @@ QPushButton* Banner::addButton(const QString& text) {
 }
 
 void Banner::addTrailing(QWidget* widget) {
+    widget->setFixedHeight(kButtonHeight);
     row_->addWidget(widget);
 }
 

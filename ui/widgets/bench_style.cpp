@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QStyleOption>
 
+#include "ui/widgets/menu_drawing.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/tokens.h"
 
@@ -16,6 +17,10 @@ namespace {
 constexpr const char* kRoleProperty = "benchRole";
 constexpr const char* kEdgeProperty = "benchEdge";
 constexpr int kCheckBoxSize = 16;
+constexpr int kFieldPadding = 4;
+constexpr int kComboLeft = 6;
+constexpr int kComboRight = 24;
+constexpr int kComboSlack = 8;
 constexpr int kScrollBarExtent = 10;
 constexpr int kShortestScrollThumb = 24;
 
@@ -163,6 +168,9 @@ int BenchStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
             return kCheckBoxSize;
         case PM_ScrollBarExtent:
             return kScrollBarExtent;
+        case PM_MenuHMargin:
+        case PM_MenuVMargin:
+            return 4;
         case PM_MenuButtonIndicator:
             return 12;
         default:
@@ -184,20 +192,34 @@ QSize BenchStyle::sizeFromContents(ContentsType type, const QStyleOption* option
             const bool menu = button != nullptr && button->features.testFlag(QStyleOptionButton::HasMenu);
             return {contents.width() + 2 * metrics::kPadding + 2 + (menu ? 4 : 0), metrics::kControlHeight};
         }
+        case CT_ComboBox:
+            return {contents.width() + kComboLeft + kComboRight + kComboSlack, metrics::kFieldHeight};
         case CT_LineEdit:
         case CT_SpinBox:
-        case CT_ComboBox: {
-            QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
-            size.setHeight(metrics::kFieldHeight);
-            return size;
-        }
+            return {QProxyStyle::sizeFromContents(type, option, contents, widget).width(),
+                    metrics::kFieldHeight};
+        case CT_MenuItem:
+            if (const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option))
+                return menuItemSize(*item);
+            return contents;
         default:
             return QProxyStyle::sizeFromContents(type, option, contents, widget);
     }
 }
 
+QRect BenchStyle::subElementRect(SubElement element, const QStyleOption* option,
+                                 const QWidget* widget) const {
+    const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+    const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
+    const bool alone = element == SE_LineEditContents && frame != nullptr && frame->lineWidth > 0;
+    return alone ? rect.adjusted(kFieldPadding, 0, -kFieldPadding, 0) : rect;
+}
+
 QRect BenchStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
                                  const QWidget* widget) const {
+    if (control == CC_ComboBox && part == SC_ComboBoxEditField) {
+        return option->rect.adjusted(kComboLeft, 1, -kComboRight, -1);
+    }
     const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
     if (control != CC_ScrollBar || bar == nullptr)
         return QProxyStyle::subControlRect(control, option, part, widget);
@@ -259,6 +281,10 @@ void BenchStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
             painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 1, -1, -1), 4, 4);
             painter->restore();
             return;
+        case PE_PanelMenu:
+        case PE_FrameMenu:
+            drawMenuPanel(*option, *painter);
+            return;
         default:
             QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
@@ -273,6 +299,11 @@ void BenchStyle::drawControl(ControlElement element, const QStyleOption* option,
             QProxyStyle::drawControl(element, &coloured, painter, widget);
             return;
         }
+    }
+    const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+    if (element == CE_MenuItem && item != nullptr) {
+        drawMenuItem(*item, *painter);
+        return;
     }
     QProxyStyle::drawControl(element, option, painter, widget);
 }

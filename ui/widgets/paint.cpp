@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
+#include <cmath>
 
 namespace kickstand::ui {
 
@@ -62,7 +63,8 @@ void drawLevel(QPainter& painter, const QRectF& rect, const Level& level, const 
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const double at : {level.lowMark, level.highMark}) {
         if (at <= 0 || at >= 1) continue;
-        painter.fillRect(QRectF(rect.left() + rect.width() * at, rect.top() - 1, 1, rect.height() + 2), mark);
+        painter.fillRect(QRectF(std::round(rect.left() + rect.width() * at), rect.top(), 1, rect.height()),
+                         mark);
     }
 }
 

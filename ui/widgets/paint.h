@@ -16,7 +16,7 @@ QSizeF chipSize(const QString& text, const QFont& font);
 void drawChip(QPainter& painter, const QRectF& rect, const QString& text, const QFont& font,
               const QColor& fill, const QColor& ink);
 
-/// How full something is, with marks on the way (0-1 each).
+/// How full something is, with notches on the way (0-1 each).
 struct Level {
     double filled = 0;
     double lowMark = -1;

@@ -50,10 +50,17 @@ QValidator::State SignedSpinBox::validate(QString& text, int&) const {
     const QString number = plain(text);
     if (number.isEmpty() || number == u"-") return QValidator::Intermediate;
     bool isNumber = false;
-    const int value = number.toInt(&isNumber);
+    const qlonglong wanted = number.toLongLong(&isNumber);
     if (!isNumber || number.contains(u'+')) return QValidator::Invalid;
     // A number past the end can still be shortened; Enter takes it to the nearest end.
-    return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    return wanted >= minimum() && wanted <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void SignedSpinBox::fixup(QString& text) const {
+    bool isNumber = false;
+    const qlonglong number = plain(text).toLongLong(&isNumber);
+    const qlonglong nearest = qBound(qlonglong{minimum()}, number, qlonglong{maximum()});
+    text = textFromValue(isNumber ? static_cast<int>(nearest) : value());
 }
 
 void SignedSpinBox::focusOutEvent(QFocusEvent* event) {

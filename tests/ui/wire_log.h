@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "core/link/tap.h"
+#include "core/thunderbots/types.h"
+#include "core/thunderbots/wire/drive.h"
+
+namespace kickstand::test {
+
+/// What the host put on the wire: every drive block of every robot, in the order it went out. Written on the
+/// engine thread, read by the test.
+class WireLog final : public UsbTapObserver {
+  public:
+    void observe(const UsbTapRecord& record) override;
+
+    /// Forgets what was: what comes now is an answer to what the test does next.
+    void clear();
+    std::vector<thunderbots::wire::DriveBlock> blocks(int robot) const;
+    /// The newest one since clear().
+    std::optional<thunderbots::wire::DriveBlock> last(int robot) const;
+    /// Messages on the kick pipe since clear(), as robot numbers.
+    std::vector<int> kicks() const;
+    std::uint64_t packets() const { return packets_; }
+
+  private:
+    void readState(ByteView packet);
+    void readMessage(ByteView packet);
+
+    mutable std::mutex mutex_;
+    std::array<std::vector<thunderbots::wire::DriveBlock>, thunderbots::kRobots> blocks_;
+    std::vector<int> kicks_;
+    std::atomic<std::uint64_t> packets_{0};
+};
+
+}  // namespace kickstand::test
