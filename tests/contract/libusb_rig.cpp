@@ -4,11 +4,18 @@ namespace kickstand::testing {
 
 LibusbRig::LibusbRig(UsbWatchOptions options)
     : options_(options), bus_(std::make_unique<UmockdevBus>(deviceThread_)) {
+    bool answered = false;
+    linkThread_.run([&] {
+        listening_ = makeLibusbLink(linkThread_, UsbMatch{});
+        listening_->open([&](const Result<UsbDeviceInfo>&) { answered = true; });
+    });
+    linkThread_.waitUntil([&] { return answered; });
     bus_->connect(device_, "1-1");
 }
 
 LibusbRig::~LibusbRig() {
     bus_.reset();
+    linkThread_.run([this] { listening_.reset(); });
     // What the bus still had to do on the device's thread happens before the device goes.
     deviceThread_.run([] {});
 }

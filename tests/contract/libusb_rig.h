@@ -32,6 +32,8 @@ class LibusbRig : public UsbRig {
     WatchedScheduler linkThread_;
     FakeUsbDevice device_;
     std::unique_ptr<UmockdevBus> bus_;
+    /// Keeps libusb listening from the first plug to the last, whatever links come and go.
+    std::unique_ptr<UsbLink> listening_;
 };
 
 }  // namespace kickstand::testing

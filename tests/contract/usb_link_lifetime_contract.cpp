@@ -163,7 +163,8 @@ TEST_P(UsbLinkContract, ADeviceThatAppearsIsToldBeforeTheFirstOpen) {
 
 TEST_P(UsbLinkContract, UnplugDuringOpenEndsIt) {
     std::optional<bool> opened;
-    rig_->onLink([&] { link_->open([&](const Result<UsbDeviceInfo>& result) { opened = result.has_value(); }); });
+    rig_->onLink(
+        [&] { link_->open([&](const Result<UsbDeviceInfo>& result) { opened = result.has_value(); }); });
     rig_->onDevice([](Device& device) { device.unplug(); });
     ASSERT_TRUE(rig_->waitUntil([&] { return opened.has_value(); }));
     if (*opened) {

@@ -15,6 +15,9 @@ namespace kickstand::testing {
 /// A USB bus on which device models stand where libusb looks for real devices: in this process, and in
 /// programs that are started from it with its UMOCKDEV_DIR. The test runs under umockdev-wrapper. One bus at
 /// a time in a process, and before anything of libusb.
+///
+/// umockdev gives up where a device comes or goes just while a program begins or ends to listen. So keep one
+/// link for as long as devices move: libusb listens from a process's first context to its last.
 class UmockdevBus {
   public:
     /// Whether a program may open a device.
