@@ -66,7 +66,7 @@ class Engine::Impl {
             error.highest = static_cast<std::int64_t>(EngineFlows::kCommands);
             return fail(std::move(error));
         }
-        scheduler_->post([this] { core_->takeCommands(); });
+        core_->wake();
         return id;
     }
 
@@ -106,12 +106,12 @@ std::vector<Answer> Engine::takeAnswers() {
 
 void Engine::stop(StopReason reason) {
     impl_->flows_.stop.set(reason);
-    impl_->scheduler_->post([impl = impl_.get()] { impl->core_->latchChanged(); });
+    impl_->core_->wake();
 }
 
 void Engine::rearm() {
     impl_->flows_.stop.rearm();
-    impl_->scheduler_->post([impl = impl_.get()] { impl->core_->latchChanged(); });
+    impl_->core_->wake();
 }
 
 bool Engine::isStopped() const {

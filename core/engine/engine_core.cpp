@@ -9,6 +9,8 @@ namespace {
 /// Fine enough for ramps that look smooth and for the dead-man's bound; 100 times a second costs next to
 /// nothing.
 constexpr Duration kSafetyStep = std::chrono::milliseconds(10);
+/// Commands done in one go, so that a step stays short.
+constexpr std::size_t kCommandsAtOnce = 32;
 
 }  // namespace
 
@@ -40,13 +42,24 @@ void EngineCore::step() {
     publishIfChanged();
 }
 
+void EngineCore::wake() {
+    if (woken_.exchange(true)) return;
+    scheduler_.post([this, alive = std::weak_ptr(alive_)] {
+        if (alive.expired()) return;
+        woken_ = false;
+        takeCommands();
+    });
+}
+
 void EngineCore::takeCommands() {
-    // A STOP from before these commands comes before them.
-    latchChanged();
-    // What arrives while these are done waits for its own turn: a step stays short.
-    for (std::size_t left = flows_.commands.size(); left > 0; --left) {
-        if (auto command = flows_.commands.tryPop()) execute(*command);
+    for (std::size_t left = kCommandsAtOnce; left > 0; --left) {
+        // A STOP comes before whatever waits here.
+        latchChanged();
+        auto command = flows_.commands.tryPop();
+        if (!command) return;
+        execute(*command);
     }
+    wake();
 }
 
 std::size_t EngineCore::find(SessionId id) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -38,10 +39,12 @@ class EngineCore {
 
     /// Begins the safety step.
     void start();
-    /// Takes what is in the command queue.
+    /// A command waits, or the latch has changed: asks the scheduler to look, once for however much comes
+    /// before it does. Any thread.
+    void wake();
+    /// Takes commands from the queue; where there are many, some now and the rest in turns of their own, so
+    /// that a flood of them holds up nothing else.
     void takeCommands();
-    /// The latch has been set or taken back: acts on it now rather than with the next step.
-    void latchChanged();
     /// Brakes and closes every session; `done` comes once, within the options' limit. Commands are refused
     /// from here on. Once.
     void shutdown(std::function<void()> done);
@@ -57,6 +60,8 @@ class EngineCore {
     };
 
     void step();
+    /// Acts on the latch where it has been set or taken back.
+    void latchChanged();
     void execute(Command& command);
     Result<void> connect(SessionId id, const LinkUri& uri);
     void disconnect(CommandId id, std::size_t at);
@@ -89,6 +94,7 @@ class EngineCore {
     std::function<void()> shutDown_;  ///< To be called when the last session has closed.
     std::size_t toShutDown_ = 0;
     TimerId shutdownDeadline_ = 0;
+    std::atomic<bool> woken_{false};
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 

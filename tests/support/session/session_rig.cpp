@@ -94,9 +94,7 @@ CommandId SessionRig::give(CommandBody body, SessionId session) {
     answers_[id];
     if (!flows().commands.tryPush(Command{id, session, std::move(body)}))
         answers_[id].push_back(fail(Errc::QueueFull, "command"));
-    scheduler_.post([this] {
-        if (core_) core_->takeCommands();
-    });
+    core_->wake();
     return id;
 }
 
@@ -147,12 +145,12 @@ std::optional<Errc> SessionRig::refusal(const thunderbots::Command& command) {
 
 void SessionRig::stop(StopReason reason) {
     flows().stop.set(reason);
-    scheduler_.post([this] { core_->latchChanged(); });
+    core_->wake();
 }
 
 void SessionRig::rearm() {
     flows().stop.rearm();
-    scheduler_.post([this] { core_->latchChanged(); });
+    core_->wake();
 }
 
 thunderbots::Snapshot SessionRig::state() {

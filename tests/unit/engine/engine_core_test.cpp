@@ -192,12 +192,32 @@ TEST_F(EngineCoreTest, RefusesCommandsBeyondItsQueueAndSaysSo) {
     EXPECT_EQ(rig.answers(1000 + taken - 1), 1U);
 }
 
+TEST_F(EngineCoreTest, AFloodOfCommandsHoldsUpNeitherTheOthersNorAStop) {
+    ASSERT_TRUE(rig.connect());
+    const std::size_t before = rig.scheduler().pending();
+    std::vector<CommandId> given;
+    for (std::size_t i = 0; i < EngineFlows::kCommands; ++i)
+        given.push_back(rig.give(thunderbots::Command{thunderbots::SetWheels{1, {50, 50, 50, 50}}}));
+    EXPECT_LE(rig.scheduler().pending(), before + 1) << "one look for all of them";
+    rig.core().takeCommands();
+    EXPECT_GT(rig.flows().commands.size(), EngineFlows::kCommands / 2) << "a part at a time";
+    rig.flows().stop.set(StopReason::Person);
+    rig.forgetPackets();
+    rig.advance(20ms);
+    for (const CommandId id : given)
+        EXPECT_EQ(rig.answers(id), 1U);
+    EXPECT_EQ(codeOf(given.back()), Errc::StopLatched);
+    ASSERT_GE(rig.packets().size(), 4U);
+    EXPECT_FALSE(rig.robot(0).lastDrive.run && rig.robot(0).driveFresh);
+}
+
 TEST_F(EngineCoreTest, TellsHowManyAnswersNobodyTook) {
     constexpr std::size_t kMore = 10;
     CommandId id = 10'000;
     for (std::size_t left = EngineFlows::kAnswers + kMore; left > 0; --left) {
         ASSERT_TRUE(rig.flows().commands.tryPush(Command{++id, 5, Disconnect{}}));
-        if (left % 512 == 0) rig.core().takeCommands();
+        while (left % 512 == 0 && rig.flows().commands.size() > 0)
+            rig.core().takeCommands();
     }
     rig.advance(20ms);
     const auto lost = notes(EngineNote::Kind::AnswersLost);
