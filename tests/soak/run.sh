@@ -16,10 +16,10 @@ thunderbots-day) program=thunderbots_day ;;
 esac
 shift
 
-build=build/soak
+build=build/release-core
 log=$build/build.log
 mkdir -p "$build"
-if ! { cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DKICKSTAND_GUI=OFF -DKICKSTAND_BENCH=OFF &&
+if ! { cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DKICKSTAND_GUI=OFF -DKICKSTAND_BENCH=ON &&
     ninja -C "$build" "$program"; } >"$log" 2>&1; then
     tail -n 20 "$log" >&2
     echo "$0: the build failed; the whole log is $log" >&2

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Runs every benchmark on a release build and prints all figures as one JSON object. Takes some two minutes; a machine
+# that does something else meanwhile gives other figures.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+programs=(thunderbots/bench_engine thunderbots/bench_decode telemetry/bench_telemetry)
+
+build=build/release-core
+log=$build/build.log
+mkdir -p "$build"
+if ! { cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DKICKSTAND_GUI=OFF -DKICKSTAND_BENCH=ON &&
+    ninja -C "$build" "${programs[@]##*/}"; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "$0: the build failed; the whole log is $log" >&2
+    exit 1
+fi
+
+separator='{'
+for program in "${programs[@]}"; do
+    figures=$("$build/tests/bench/$program")
+    printf '%s"%s": %s' "$separator" "${program##*/bench_}" "$figures"
+    separator=$',\n'
+done
+printf '}\n'
