@@ -1,5 +1,7 @@
 // Every command over simulated robots.
 
+#include <csignal>
+
 #include <gtest/gtest.h>
 
 #include "tests/app/program.h"
@@ -61,12 +63,20 @@ TEST(ProgramThunderbots, StatusOfACable) {
 }
 
 TEST(ProgramThunderbots, MonitorStreamsEventsAndReadings) {
-    const Ended ended = runSimulated({"--json", "thunderbots", "monitor", "--for", "0.3"});
+    Program program({"--link", "sim:thunderbots?robots=0-3", "--json", "thunderbots", "monitor"});
+    ASSERT_TRUE(program.waitFor("\"battery_V\""));
+    program.signal(SIGTERM);
+    const Ended ended = program.end();
     EXPECT_EQ(ended.exitCode, 0) << ended.err;
-    const QJsonObject readings = first(ended, QStringLiteral("readings"));
-    EXPECT_TRUE(readings[QStringLiteral("readings")].isObject()) << ended.out;
-    EXPECT_TRUE(readings[QStringLiteral("time")].toString().endsWith(QLatin1Char('Z')));
+    EXPECT_TRUE(first(ended, QStringLiteral("readings"))[QStringLiteral("time")].toString().endsWith(
+        QLatin1Char('Z')));
     EXPECT_FALSE(first(ended, QStringLiteral("event"))[QStringLiteral("event")].toString().isEmpty());
+}
+
+TEST(ProgramThunderbots, MonitorEndsAfterItsTime) {
+    const Ended ended = runSimulated({"thunderbots", "monitor", "--for", "0.1"});
+    EXPECT_EQ(ended.exitCode, 0) << ended.err;
+    EXPECT_NE(ended.out.find("connected"), std::string::npos) << ended.out;
 }
 
 TEST(ProgramThunderbots, DriveRunsForItsTimeAndBrakes) {
