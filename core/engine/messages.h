@@ -10,7 +10,7 @@
 #include "core/engine/link_provider.h"
 #include "core/engine/systems.h"
 #include "core/link/link_uri.h"
-#include "core/link/sim_control.h"
+#include "core/link/sim_action.h"
 
 namespace kickstand {
 

@@ -1,24 +1,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/link/sim_action.h"
 
 namespace kickstand {
-
-/// One thing that can be done to a simulated system by hand: "put the ball into robot 3's beam".
-struct SimAction {
-    std::string name;      ///< "ball", "battery", "dead", "e-stop", "loss", "unplug", …
-    bool perUnit = false;  ///< Whether it takes a robot's (device's) number.
-    std::string unit;      ///< The unit of the value: "V", "probability", "0 or 1".
-    double lowest = 0;
-    double highest = 1;
-
-    friend bool operator==(const SimAction&, const SimAction&) = default;
-};
 
 /// What a simulator lets a person do to it from outside the wire. Plain names and numbers, so that one panel,
 /// one command and one control socket serve every system. Called on the simulator's thread.

@@ -8,8 +8,9 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 11> kUiValueHeaders{
+constexpr std::array<std::string_view, 12> kUiValueHeaders{
     "core/link/link_uri.h",
+    "core/link/sim_action.h",
     "core/thunderbots/types.h",
     "core/thunderbots/commands.h",
     "core/thunderbots/snapshot.h",

@@ -2,7 +2,7 @@
 
 #include <QPushButton>
 
-#include "core/link/sim_control.h"
+#include "core/link/sim_action.h"
 
 class QMenu;
 
