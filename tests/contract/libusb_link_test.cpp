@@ -40,6 +40,21 @@ class LibusbLinkTest : public ::testing::Test {
         return match;
     }
 
+    void submitIns(int& ended) {
+        for (int i = 0; i < 3; ++i)
+            static_cast<void>(link_->submitIn(Device::kFastIn, 64, [&](const UsbCompletion&) { ++ended; }));
+    }
+    /// Destroys the link while `calls` counts what it still says.
+    void destroyAndExpectSilence(const int& calls) {
+        int before = 0;
+        rig_.onLink([&] {
+            link_.reset();
+            before = calls;
+        });
+        rig_.settle();
+        rig_.onLink([&] { EXPECT_EQ(calls, before) << "called back after its end"; });
+    }
+
     FakeUsbDevice second_;
     LibusbRig rig_;
     std::unique_ptr<UsbLink> link_;
@@ -210,7 +225,7 @@ TEST_F(LibusbLinkTest, PullingThePlugAtAnyMomentEndsEachTransferOnce) {
 }
 
 TEST_F(LibusbLinkTest, ALinkMayGoAtAnyMoment) {
-    constexpr int kRounds = 40;
+    constexpr int kRounds = 30;
     std::mt19937 random(2);
     for (int round = 0; round < kRounds; ++round) {
         int posts = 0;
@@ -219,27 +234,36 @@ TEST_F(LibusbLinkTest, ALinkMayGoAtAnyMoment) {
             link_->open([&](const Result<UsbDeviceInfo>& opened) {
                 ++posts;
                 if (!opened) return;
-                for (int i = 0; i < 3; ++i)
-                    static_cast<void>(
-                        link_->submitIn(Device::kFastIn, 64, [&](const UsbCompletion&) { ++posts; }));
+                submitIns(posts);
                 if (random() % 2 == 0) link_->close([&] { ++posts; });
             });
         });
-        const auto moment = random() % 3;
-        if (moment == 1) {
-            ASSERT_TRUE(rig_.waitUntil([&] { return posts >= 1; }));
-        }
-        if (moment == 2) rig_.onDevice([](Device& device) { device.unplug(); });
-        int before = 0;
-        rig_.onLink([&] {
-            link_.reset();
-            before = posts;
-        });
-        rig_.settle();
-        rig_.onLink([&] { EXPECT_EQ(posts, before) << "called back after its end"; });
-        if (moment == 2) rig_.onDevice([](Device& device) { device.plug(); });
+        const auto moment = static_cast<int>(random() % 3);
+        ASSERT_TRUE(rig_.waitUntil([&] { return posts >= moment - 1; }));
+        destroyAndExpectSilence(posts);
     }
     EXPECT_TRUE(open(LibusbRig::match()));
+}
+
+// libusb 1.0.26 forgets a device that goes just while a context starts, so every round begins with a link
+// that is open.
+TEST_F(LibusbLinkTest, ALinkMayGoWhileItsDeviceGoes) {
+    constexpr int kRounds = 30;
+    for (int round = 0; round < kRounds; ++round) {
+        ASSERT_TRUE(open(LibusbRig::match()));
+        int posts = 0;
+        rig_.onLink([&] {
+            submitIns(posts);
+            if (round % 3 == 0) return;
+            link_->close([&] {
+                ++posts;
+                if (round % 3 == 1) link_->open([&](const Result<UsbDeviceInfo>&) { ++posts; });
+            });
+        });
+        rig_.onDevice([](Device& device) { device.unplug(); });
+        destroyAndExpectSilence(posts);
+        rig_.onDevice([](Device& device) { device.plug(); });
+    }
 }
 
 }  // namespace

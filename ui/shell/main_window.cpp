@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -48,7 +49,7 @@ MainWindow::MainWindow(Bench& bench, Theme& theme)
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Kickstand"));
     setMinimumSize(kSmallest);
-    resize(kFirstSize);
+    resize(kFirstSize.boundedTo(screen()->availableSize()));
     makeBanners();
     build();
     restoreGeometry(bench_.settings().value(kGeometrySetting).toByteArray());

@@ -30,16 +30,17 @@ Memory follow(UMockdevIoctlData* data, std::size_t offset, std::size_t size) {
     return Memory(umockdev_ioctl_data_resolve(data, offset, size, nullptr));
 }
 
-template <class T>
-T read(const Memory& memory) {
-    T value{};
+/// The number that an ioctl's argument points to.
+unsigned argument(UMockdevIoctlClient* client) {
+    const Memory memory = follow(umockdev_ioctl_client_get_arg(client), 0, sizeof(unsigned));
+    unsigned value = 0;
     if (memory) std::memcpy(&value, memory->data, sizeof value);
     return value;
 }
 
-/// The number that an ioctl's argument points to.
-unsigned argument(UMockdevIoctlClient* client) {
-    return read<unsigned>(follow(umockdev_ioctl_client_get_arg(client), 0, sizeof(unsigned)));
+/// The request that a program submitted; umockdev gives memory that is aligned for it.
+usbdevfs_urb& urbIn(const Memory& memory) {
+    return *static_cast<usbdevfs_urb*>(static_cast<void*>(memory->data));
 }
 
 /// The argument itself, for the one ioctl that takes an address and nothing behind it.
@@ -166,7 +167,7 @@ void UsbfsDevice::submit(UMockdevIoctlClient* client) {
     auto urb = std::make_shared<Urb>();
     urb->owner = client;
     urb->memory = follow(umockdev_ioctl_client_get_arg(client), 0, sizeof(usbdevfs_urb));
-    const auto given = read<usbdevfs_urb>(urb->memory);
+    const usbdevfs_urb& given = urbIn(urb->memory);
     const auto length = static_cast<std::size_t>(std::max(given.buffer_length, 0));
     urb->buffer = follow(urb->memory.get(), offsetof(usbdevfs_urb, buffer), length);
     urb->endpoint = given.endpoint;
@@ -189,10 +190,9 @@ void UsbfsDevice::reap(UMockdevIoctlClient* client) {
         if (finished_.empty()) node_.setReapable(false);
     }
     if (!urb) return complete(client, EAGAIN);
-    auto result = read<usbdevfs_urb>(urb->memory);
+    usbdevfs_urb& result = urbIn(urb->memory);
     result.status = urb->status;
     result.actual_length = static_cast<int>(urb->actual);
-    std::memcpy(urb->memory->data, &result, sizeof result);
     if (!urb->in.empty() && urb->buffer)
         std::memcpy(urb->buffer->data + (urb->isControl ? kSetupSize : 0), urb->in.data(), urb->in.size());
     const Memory place = follow(umockdev_ioctl_client_get_arg(client), 0, sizeof(void*));
