@@ -1,5 +1,6 @@
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/engine/describe.h"
@@ -124,9 +125,9 @@ Text robotEvent(const thunderbots::Event& event) {
 
 EventText kickGiven(const thunderbots::Event& event) {
     QString text = Event::tr("kick given to the dongle: %1 / %2 µs").arg(event.code).arg(event.previous);
-    const auto offset_us = static_cast<std::int64_t>(event.value);
-    if (offset_us > 0) text += Event::tr(", solenoid 2 later by %1 µs").arg(offset_us);
-    if (offset_us < 0) text += Event::tr(", solenoid 1 later by %1 µs").arg(-offset_us);
+    const QString offset_us = QString::number(std::abs(event.value), 'f', 0);
+    if (event.value > 0) text += Event::tr(", solenoid 2 later by %1 µs").arg(offset_us);
+    if (event.value < 0) text += Event::tr(", solenoid 1 later by %1 µs").arg(offset_us);
     return information(text);
 }
 
