@@ -2,7 +2,7 @@
 
 #include "core/link/usb/libusb_link.h"
 #include "tests/contract/usb_rig.h"
-#include "tests/contract/watched_scheduler.h"
+#include "tests/support/usb/watched_scheduler.h"
 #include "tests/support/usb/umockdev_bus.h"
 
 namespace kickstand::testing {

@@ -2,7 +2,7 @@
 #include "core/link/loopback/loopback_usb_link.h"
 #include "core/link/tapped_usb_link.h"
 #include "tests/contract/usb_link_contract.h"
-#include "tests/contract/watched_scheduler.h"
+#include "tests/support/usb/watched_scheduler.h"
 
 namespace kickstand::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/contract/watched_scheduler.h"
+#include "tests/support/usb/watched_scheduler.h"
 
 #include <future>
 #include <memory>
