@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <cstdio>
 
 #include "app/composition/composition.h"
 #include "app/kickstand/options.h"
@@ -12,6 +13,7 @@
 #include "core/engine/engine.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
+#include "ui/shell/first_paint.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/signal_watch.h"
 #include "ui/shell/stop_filter.h"
@@ -32,6 +34,11 @@ void afterFirstPaint(ui::Theme& theme, ui::EngineClient& client) {
     auto* suspend = new ui::SuspendWatch(&client);
     QObject::connect(suspend, &ui::SuspendWatch::aboutToSleep, &client,
                      [&client] { client.stop(StopReason::Suspend); });
+}
+
+void announcePainted() {
+    std::puts("painted");
+    std::fflush(stdout);
 }
 
 }  // namespace
@@ -78,8 +85,12 @@ int main(int argc, char** argv) {
         QObject::connect(tour.get(), &app::Tour::finished, &application, &QCoreApplication::exit);
         QTimer::singleShot(0, tour.get(), &app::Tour::start);
     }
+    auto* firstPaint = new ui::FirstPaint(window);
+    QObject::connect(firstPaint, &ui::FirstPaint::painted, &client, [&theme, &client, &options] {
+        if (options.announce) announcePainted();
+        afterFirstPaint(theme, client);
+    });
     window.show();
-    QTimer::singleShot(0, &client, [&theme, &client] { afterFirstPaint(theme, client); });
     const int code = QApplication::exec();
     engine.shutdown();
     return code;

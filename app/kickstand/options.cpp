@@ -47,9 +47,13 @@ Options readOptions(const QStringList& arguments) {
         Words::tr("Show every panel on simulated robots, do the main jobs, write pictures "
                   "into this folder, and end."),
         QStringLiteral("DIR"));
+    const QCommandLineOption announce(
+        QStringLiteral("announce"),
+        Words::tr("Print \"painted\" when the window has been painted: to measure "
+                  "the start."));
     const QCommandLineOption theme(QStringLiteral("theme"), Words::tr("system, light or dark, for this run."),
                                    QStringLiteral("THEME"));
-    parser.addOptions({link, tour, theme});
+    parser.addOptions({link, tour, theme, announce});
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     if (!parser.parse(arguments)) refuse(Words::tr("%1. Try --help.").arg(parser.errorText().chopped(1)));
@@ -71,6 +75,7 @@ Options readOptions(const QStringList& arguments) {
         options.theme = themeNamed(parser.value(theme));
         if (!options.theme) refuse(Words::tr("--theme takes system, light or dark."));
     }
+    options.announce = parser.isSet(announce);
     if (parser.isSet(tour)) options.tourFolder = parser.value(tour);
     return options;
 }

@@ -14,6 +14,7 @@ struct Options {
     std::vector<LinkUri> links;
     std::optional<QString> tourFolder;
     std::optional<ui::ThemeChoice> theme;
+    bool announce = false;  ///< Tell on standard output how far the start has come.
 };
 
 /// Reads the command line. --help and --version end the program here with exit code 0, nonsense with one line

@@ -154,6 +154,15 @@ TEST_F(ConnectTest, ALinkThatMakesNoSenseIsExplained) {
     EXPECT_TRUE(rig.board().openedLinks().empty());
 }
 
+TEST_F(ConnectTest, ALinkThatCannotBeMadeIsExplainedAndTheStartPageStays) {
+    const Result<LinkUri> uri = parseLinkUri("sim:thunderbots?robots=99");
+    ASSERT_TRUE(uri.has_value());
+    rig.window().connector().connectTo(*uri);
+    ASSERT_TRUE(waitUntil([this] { return problem()->isVisible(); }));
+    EXPECT_TRUE(problem()->text().contains(QStringLiteral("robots")));
+    EXPECT_TRUE(rig.find<QWidget>(QStringLiteral("startPage"))->isVisible());
+}
+
 TEST_F(ConnectTest, DisconnectingLeadsBackToTheStart) {
     ASSERT_TRUE(rig.connectTo());
     ASSERT_TRUE(choose(QStringLiteral("Disconnect")));

@@ -9,6 +9,7 @@ namespace kickstand::ui {
 Bench::Bench(EngineClient& client, const SystemRegistry& systems, QSettings& settings, QObject* parent)
     : QObject(parent), client_(client), systems_(systems), settings_(settings) {
     connect(&client_, &EngineClient::snapshotChanged, this, &Bench::follow);
+    connect(&client_, &EngineClient::connectRefused, this, &Bench::giveUp);
 }
 
 const SystemView* Bench::view() const {
@@ -45,9 +46,16 @@ void Bench::connectBeside(const LinkUri& uri) {
     const Result<SessionId> id = client_.connectTo(uri);
     if (id) {
         awaited_ = *id;
+        emit changed();
     } else {
-        emit client_.refused(id.error());
+        emit connectRefused(id.error());
     }
+}
+
+void Bench::giveUp(SessionId id, const Error& error) {
+    if (id == awaited_) awaited_ = 0;
+    emit connectRefused(error);
+    emit changed();
 }
 
 void Bench::disconnectAll() {

@@ -27,6 +27,8 @@ class Bench final : public QObject {
     /// The session that the window shows; null where there is none.
     const SessionSnapshot* session() const { return client_.session(current_); }
     SessionId sessionId() const { return current_; }
+    /// Whether a session has been asked for and is not there yet.
+    bool isConnecting() const { return awaited_ != 0; }
     /// The view of that session's system; null where there is none.
     const SystemView* view() const;
     void show(SessionId id);
@@ -49,9 +51,12 @@ class Bench final : public QObject {
     void changed();
     /// Another session is shown, or none.
     void sessionChanged();
+    /// A link could not be made.
+    void connectRefused(const kickstand::Error& error);
 
   private:
     void follow();
+    void giveUp(SessionId id, const Error& error);
 
     EngineClient& client_;
     const SystemRegistry& systems_;

@@ -88,7 +88,11 @@ void EngineClient::takeAnswers() {
         // Taken out first: whoever is called may submit again.
         auto node = pending_.extract(answer.id);
         if (!answer.result) emit refused(answer.result.error());
-        if (node.empty()) continue;
+        if (node.empty()) {
+            // Only connecting is not handed in by submit().
+            if (!answer.result) emit connectRefused(answer.session, answer.result.error());
+            continue;
+        }
         const Pending& pending = node.mapped();
         systemCommands_ -= pending.toSystem ? 1 : 0;
         if (!pending.answered) continue;

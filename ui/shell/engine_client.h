@@ -32,7 +32,7 @@ class EngineClient final : public QObject {
     /// Hands in a command. `answered` is called once, later, unless `context` is gone by then. A refusal is
     /// also told to everybody by refused().
     void submit(SessionId session, CommandBody body, QObject* context = nullptr, Answered answered = {});
-    /// Opens a session. Its answer comes as refused() where there is one.
+    /// Opens a session. Where it cannot be made connectRefused() tells.
     Result<SessionId> connectTo(const LinkUri& uri);
     /// Whether a system's command waits for its answer: more may be on its way than the snapshot knows.
     bool hasPending() const { return systemCommands_ > 0; }
@@ -48,6 +48,7 @@ class EngineClient final : public QObject {
     /// Oldest first. `lost` more had been forgotten before they could be read.
     void eventsArrived(const std::vector<kickstand::EngineEvent>& events, quint64 lost);
     void refused(const kickstand::Error& error);
+    void connectRefused(quint32 session, const kickstand::Error& error);
     /// The latch was set or released.
     void stopChanged();
 

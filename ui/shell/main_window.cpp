@@ -58,6 +58,7 @@ MainWindow::MainWindow(Bench& bench, Theme& theme)
     connect(&bench_, &Bench::changed, this, &MainWindow::refresh);
     connect(&bench_, &Bench::sessionChanged, this, [this] { shownProblem_.reset(); });
     connect(&bench_.client(), &EngineClient::stopChanged, this, &MainWindow::refreshStop);
+    connect(&bench_, &Bench::connectRefused, this, &MainWindow::showProblem);
     connect(connector_, &Connector::obstructed, this, &MainWindow::showProblem);
     refresh();
 }
@@ -108,7 +109,7 @@ void MainWindow::makeBanners() {
 
 void MainWindow::refresh() {
     const SessionSnapshot* session = bench_.session();
-    pages_->setCurrentIndex(session == nullptr ? 0 : 1);
+    pages_->setCurrentIndex(session == nullptr && !bench_.isConnecting() ? 0 : 1);
     const bool simulated = session != nullptr && session->uri.isSimulated();
     if (simulated) simulated_->setText(tr("SIMULATED"), bench_.view()->simulatedText(session->uri));
     simulated_->setVisible(simulated);

@@ -65,6 +65,8 @@ void TopBar::refresh() {
     std::vector<StateText> states;
     if (const SystemView* view = bench_.view()) {
         states = view->states(*bench_.session());
+    } else if (bench_.isConnecting()) {
+        states.push_back({Tone::Busy, tr("Connecting\u2026"), {}});
     } else {
         states.push_back({Tone::Idle, tr("Not connected"), {}});
     }

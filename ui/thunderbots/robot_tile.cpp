@@ -110,7 +110,7 @@ void RobotTile::paintFrame(QPainter& painter) const {
     painter.setBrush(content_.chosen ? t.accentSoft : t.surface);
     painter.drawRoundedRect(QRectF(rect()).adjusted(inset, inset, -inset, -inset), metrics::kControlRadius,
                             metrics::kControlRadius);
-    if (!hasFocus()) return;
+    if (!hasFocus() || !window()->testAttribute(Qt::WA_KeyboardFocusChange)) return;
     painter.setPen(QPen(t.accent, 1, Qt::DotLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5), 4, 4);

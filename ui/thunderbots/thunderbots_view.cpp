@@ -175,7 +175,7 @@ QString ThunderbotsView::actionText(const SimAction& action) const {
         {"ball", QT_TRANSLATE_NOOP("ThunderbotsView", "Ball in the beam")},
         {"battery", QT_TRANSLATE_NOOP("ThunderbotsView", "Battery")},
         {"capacitor", QT_TRANSLATE_NOOP("ThunderbotsView", "Capacitor")},
-        {"dead", QT_TRANSLATE_NOOP("ThunderbotsView", "Dead")},
+        {"dead", QT_TRANSLATE_NOOP("ThunderbotsView", "Power")},
         {"e-stop", QT_TRANSLATE_NOOP("ThunderbotsView", "Emergency stop")},
         {"radio-failure", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio failure")},
         {"loss", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio loss")},

@@ -64,7 +64,7 @@ void CenterSlider::paintEvent(QPaintEvent*) {
     painter.fillRect(QRectF(positionOf(0) - 0.5, middle - 5, 1, 10), t.muted);
 
     const QPointF thumb(positionOf(sliderPosition()), middle);
-    if (hasFocus()) {
+    if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
         painter.setBrush(t.accentSoft);
         painter.drawEllipse(thumb, kThumbRadius + 3, kThumbRadius + 3);
     }
