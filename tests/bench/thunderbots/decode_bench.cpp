@@ -71,14 +71,14 @@ int main() {
         block.charge = random() % 2 == 0;
         for (std::int16_t& wheel : block.wheels)
             wheel = static_cast<std::int16_t>(static_cast<int>(random() % 2047) - 1023);
-        drives.push_back(wire::encodeDrive(block).value());
+        drives.push_back(*wire::encodeDrive(block));
         wire::FeedbackBlock feedback;
         feedback.valid = true;
         feedback.battery_adc = static_cast<std::uint16_t>(random() % 1024);
         feedback.capacitor_adc = static_cast<std::uint16_t>(random() % 4096);
         feedback.thermistor_adc = static_cast<std::uint16_t>(random() % 1024);
         feedback.light_adc = static_cast<std::uint16_t>(random() % 1024);
-        feedbacks.push_back(wire::encodeFeedback(feedback).value());
+        feedbacks.push_back(*wire::encodeFeedback(feedback));
     }
     std::printf("{\n");
     print("drive_block", times_ns(drives, [](const auto& bytes) { use(wire::decodeDrive(bytes)); }),

@@ -4,6 +4,7 @@
 //
 //     bench_engine [SAMPLES]
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <thread>
 #include <vector>
@@ -119,7 +121,7 @@ class EngineBench {
     /// Connects and waits until the session runs and every robot has been heard; gives the time until it ran.
     double connect_ms() {
         const TimePoint begin = engine_.now();
-        session_ = engine_.connect(parseLinkUri("sim:thunderbots?radio=ideal").value()).value();
+        session_ = *engine_.connect(*parseLinkUri("sim:thunderbots?radio=ideal"));
         while (!reached(false))
             std::this_thread::sleep_for(500us);
         const double took_ms = 1000 * seconds(engine_.now() - begin);
@@ -131,6 +133,7 @@ class EngineBench {
     std::vector<double> commands_ms(RobotMask robots, int samples) {
         submit(SetWheelLimit{kFastestWheel});
         std::vector<double> took;
+        took.reserve(static_cast<std::size_t>(samples));
         for (int i = 0; i < samples; ++i) {
             pause();
             took.push_back(drive_ms(robots, 1 + i % kFastestWheel));
@@ -140,6 +143,7 @@ class EngineBench {
 
     std::vector<double> stops_ms(int samples) {
         std::vector<double> took;
+        took.reserve(static_cast<std::size_t>(samples));
         for (int i = 0; i < samples; ++i) {
             drive_ms(kAllRobots, 1 + i % 100);
             pause();
@@ -173,18 +177,22 @@ class EngineBench {
     }
     /// As long as it takes to forget where in a frame of the bus it is.
     void pause() { std::this_thread::sleep_for(5ms + std::chrono::microseconds(random_() % 5000)); }
-    bool reached(bool heardAll) {
+    /// The session's state; none before it has been published.
+    std::optional<Snapshot> state() {
         const auto latest = engine_.snapshot();
-        if (latest->sessions.empty()) return false;
-        const auto& system = std::get<Snapshot>(latest->sessions.front().system);
-        bool heard = latest->heartbeatFresh;
-        for (const RobotState& robot : system.robots)
-            heard = heard && robot.freshness == Freshness::Current;
-        return system.link == LinkState::Running && (heard || !heardAll);
+        if (latest->sessions.empty() || !latest->heartbeatFresh) return std::nullopt;
+        const auto* system = std::get_if<Snapshot>(&latest->sessions.front().system);
+        return system ? std::optional(*system) : std::nullopt;
+    }
+    bool reached(bool heardAll) {
+        const auto now = state();
+        if (!now || now->link != LinkState::Running) return false;
+        const auto heard = [](const RobotState& robot) { return robot.freshness == Freshness::Current; };
+        return !heardAll || std::ranges::all_of(now->robots, heard);
     }
     std::uint64_t packetsIn() {
-        const auto latest = engine_.snapshot();
-        return std::get<Snapshot>(latest->sessions.front().system).traffic.packetsIn;
+        const auto now = state();
+        return now ? now->traffic.packetsIn : 0;
     }
 
     BlockWatch watch_;
@@ -209,6 +217,7 @@ int main(int count, char** arguments) {
         return 2;
     }
     std::vector<double> starts;
+    starts.reserve(kStarts);
     for (int i = 0; i < kStarts; ++i)
         starts.push_back(EngineBench().connect_ms());
     EngineBench bench;

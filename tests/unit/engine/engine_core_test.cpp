@@ -118,6 +118,7 @@ TEST_F(EngineCoreTest, AnswersEveryKindOfCommandForASessionThatIsNotThere) {
     const std::vector<CommandBody> bodies{Disconnect{}, SimPerform{"ball", 0, 1},
                                           SystemCommand{thunderbots::Command{thunderbots::Brake{1}}}};
     std::vector<CommandId> given;
+    given.reserve(bodies.size());
     for (const CommandBody& body : bodies)
         given.push_back(rig.give(body, 99));
     rig.advance(20ms);

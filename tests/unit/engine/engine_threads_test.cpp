@@ -128,6 +128,7 @@ TEST_F(EngineThreads, AnswersEachCommandOfManyThreadsOnce) {
     std::mutex mutex;
     std::set<CommandId> given;
     std::vector<std::thread> callers;
+    callers.reserve(kThreads);
     for (int i = 0; i < kThreads; ++i)
         callers.emplace_back([&, i] {
             for (int n = 0; n < kEach; ++n) {
@@ -158,7 +159,9 @@ TEST_F(EngineThreads, StopsFromManyThreadsAtOnce) {
     ASSERT_TRUE(connect());
     std::vector<std::thread> callers;
     std::atomic<int> stopped{0};
-    for (int i = 0; i < 6; ++i)
+    constexpr int kThreads = 6;
+    callers.reserve(kThreads);
+    for (int i = 0; i < kThreads; ++i)
         callers.emplace_back([&, i] {
             for (int n = 0; n < 200; ++n) {
                 engine->heartbeat();
@@ -189,7 +192,9 @@ TEST_F(EngineThreads, EndsUnderLoad) {
         ASSERT_TRUE(connect());
         std::atomic<bool> ending{false};
         std::vector<std::thread> callers;
-        for (int i = 0; i < 3; ++i)
+        constexpr int kThreads = 3;
+        callers.reserve(kThreads);
+        for (int i = 0; i < kThreads; ++i)
             callers.emplace_back([&, i] {
                 std::uint64_t cursor = 0;
                 while (!ending) {

@@ -28,5 +28,13 @@ TEST(StopLatch, CountsHowOftenItWasSetAndRemembersWhy) {
     EXPECT_EQ(latch.stops(), 1000U);
 }
 
+TEST(StopLatch, CountsEveryPressWhileItIsSetToo) {
+    StopLatch latch;
+    latch.set(StopReason::Person);
+    latch.set(StopReason::Person);
+    EXPECT_EQ(latch.presses(), 2U);
+    EXPECT_EQ(latch.stops(), 1U);
+}
+
 }  // namespace
 }  // namespace kickstand
