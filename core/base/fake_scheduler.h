@@ -19,6 +19,9 @@ class FakeScheduler final : public Scheduler {
     void advance(Duration span);
     /// Runs what is due now, without letting time pass.
     void runPending() { advance(Duration::zero()); }
+    /// Lets time pass without running anything: the thread was not scheduled, the process stopped. What fell
+    /// due meanwhile runs late.
+    void stall(Duration span) { now_ += span; }
     /// Lets time pass call by call until `done` holds, for at most `limit`. True when it came to hold.
     bool runUntil(const std::function<bool()>& done, Duration limit);
     /// How many calls are pending: a test's way to see a leak of timers.

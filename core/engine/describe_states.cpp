@@ -27,6 +27,8 @@ QString describe(StopReason reason) {
             return State::tr("the window lost the keyboard while something moved");
         case StopReason::HeartbeatStale:
             return State::tr("the program did not respond in time");
+        case StopReason::PanelClosed:
+            return State::tr("the panel that drives was closed");
         case StopReason::Suspend:
             return State::tr("the computer went to sleep");
     }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "core/base/sleep_clock.h"
 #include "core/engine/flow/event_ring.h"
 #include "core/engine/messages.h"
 
@@ -13,6 +15,8 @@ namespace kickstand {
 struct EngineOptions {
     /// A heartbeat older than this brakes everything (design: dead-man; the bound to the wheels is 0.6 s).
     Duration heartbeatLimit = std::chrono::milliseconds(400);
+    /// How long the machine has slept so far; a jump of it stops what moves.
+    std::function<Duration()> timeAsleep = kickstand::timeAsleep;
     /// How long shutdown() waits at most for the last braked blocks.
     Duration shutdownLimit = std::chrono::milliseconds(500);
 };

@@ -6,6 +6,9 @@
 namespace kickstand {
 namespace {
 
+/// The two clocks that tell of sleep are read one after the other: a jump smaller than this is none.
+constexpr Duration kShortestSleep = std::chrono::milliseconds(100);
+
 /// Fine enough for ramps that look smooth and for the dead-man's bound; 100 times a second costs next to
 /// nothing.
 constexpr Duration kSafetyStep = std::chrono::milliseconds(10);
@@ -24,6 +27,8 @@ EngineCore::~EngineCore() {
 }
 
 void EngineCore::start() {
+    lookedAt_ = scheduler_.now();
+    asleep_ = options_.timeAsleep();
     step();
 }
 
@@ -42,6 +47,21 @@ void EngineCore::step() {
     publishIfChanged();
 }
 
+void EngineCore::noticePause() {
+    const TimePoint now = scheduler_.now();
+    const bool paused = now - std::exchange(lookedAt_, now) > options_.heartbeatLimit;
+    const Duration asleep = options_.timeAsleep();
+    const bool slept = asleep - std::exchange(asleep_, asleep) > kShortestSleep;
+    if (!paused && !slept) return;
+    const bool active = std::any_of(sessions_.begin(), sessions_.end(),
+                                    [](const auto& slot) { return slot->session().active(); });
+    if (slept && active) flows_.stop.set(StopReason::Suspend);
+    // A sign of life from before the pause, or from a thread that was woken first, says nothing about it.
+    flows_.heartbeat.withdraw();
+    for (const auto& slot : sessions_)
+        slot->session().step(now, false);
+}
+
 void EngineCore::wake() {
     if (woken_.exchange(true)) return;
     scheduler_.post([this, alive = std::weak_ptr(alive_)] {
@@ -52,6 +72,7 @@ void EngineCore::wake() {
 }
 
 void EngineCore::takeCommands() {
+    noticePause();
     for (std::size_t left = kCommandsAtOnce; left > 0; --left) {
         // A STOP comes before whatever waits here.
         latchChanged();
@@ -146,9 +167,12 @@ void EngineCore::discover(CommandId id) {
 void EngineCore::latchChanged() {
     // By count: a STOP that was re-armed before this thread came to look halts everything all the same.
     const std::uint64_t stops = flows_.stop.stops();
-    if (std::exchange(stopsSeen_, stops) != stops) {
+    const std::uint64_t presses = flows_.stop.presses();
+    if (std::exchange(pressesSeen_, presses) != presses) {
         for (const auto& slot : sessions_)
             slot->session().halt();
+    }
+    if (std::exchange(stopsSeen_, stops) != stops) {
         stopTold_ = true;
         tellLatch(EngineNote::Kind::Stopped, flows_.stop.lastReason());
     }

@@ -60,6 +60,9 @@ class EngineCore {
     };
 
     void step();
+    /// Sees whether this thread or the whole machine stood still for longer than a dead-man may: then nobody
+    /// watched.
+    void noticePause();
     /// Acts on the latch where it has been set or taken back.
     void latchChanged();
     void execute(Command& command);
@@ -84,9 +87,12 @@ class EngineCore {
     std::vector<FoundDevice> found_;
     bool discovered_ = false;
     std::uint64_t stopsSeen_ = 0;  ///< Of the latch's count: how many have been acted on.
+    std::uint64_t pressesSeen_ = 0;
     bool stopTold_ = false;
     bool ending_ = false;  ///< shutdown() has been called: commands are refused.
     bool heartbeatFresh_ = false;
+    TimePoint lookedAt_{};
+    Duration asleep_{};
     std::uint64_t answersLost_ = 0;
     std::uint64_t ownVersion_ = 1;
     std::uint64_t publishedVersion_ = 0;

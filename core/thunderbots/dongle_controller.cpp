@@ -1,5 +1,6 @@
 #include "core/thunderbots/dongle_controller.h"
 
+#include <memory>
 #include <utility>
 
 namespace kickstand::thunderbots {
@@ -14,6 +15,8 @@ constexpr Duration kStartDeadline = std::chrono::seconds(10);
 /// A device that may not be opened now is tried again this often: the rule may be installed, the other
 /// program ended.
 constexpr Duration kRetryEvery = std::chrono::seconds(1);
+/// How long braked blocks may take to go before a link is given up all the same.
+constexpr Duration kLastBlocksDeadline = std::chrono::milliseconds(200);
 /// Packets that may come in while the engine is busy.
 constexpr int kDepth = 4;
 
@@ -231,6 +234,28 @@ void DongleController::startFailed(Errc code, std::string subject, std::optional
 
 void DongleController::giveUp(Error error) {
     if (state_ == LinkState::Failed || state_ == LinkState::Idle) return;
+    if (state_ == LinkState::Running && error.endpoint != address(Endpoint::StateOut)) {
+        brakeThenFail(std::move(error));
+    } else {
+        failNow(std::move(error));
+    }
+}
+
+void DongleController::brakeThenFail(Error error) {
+    // The way out still works, and without these blocks robots would go on until the dongle's dead-man.
+    setState(LinkState::Braking);
+    stateTransport_.brakeAll();
+    const auto failing = std::make_shared<Error>(std::move(error));
+    deadline_ = scheduler_.callAfter(kLastBlocksDeadline, [this, failing] {
+        deadline_ = 0;
+        failNow(*failing);
+    });
+    stateTransport_.whenDrained([this, failing, attempt = attempt_](bool) {
+        if (attempt == attempt_) failNow(*failing);
+    });
+}
+
+void DongleController::failNow(Error error) {
     ++attempt_;
     stopTransfers(error);
     if (!wanted_) return;

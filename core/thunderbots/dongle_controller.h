@@ -51,6 +51,8 @@ class DongleController {
     void allBraked();
     void startFailed(Errc code, std::string subject, std::optional<int> radio = std::nullopt);
     void giveUp(Error error);
+    void brakeThenFail(Error error);
+    void failNow(Error error);
     void stopTransfers(const Error& why);
     void retryLater();
     void armDeadline();

@@ -45,7 +45,12 @@ void RobotModel::setLive(bool live, TimePoint time) {
     state_.live = live;
     if (live) {
         // The dongle repeats nothing that has not changed: what was heard on this connection holds again.
-        state_.freshness = heardThisConnection_ ? Freshness::Current : Freshness::Waiting;
+        // What an earlier one left behind stays old until something new comes.
+        if (heardThisConnection_) {
+            state_.freshness = Freshness::Current;
+        } else {
+            state_.freshness = state_.feedback ? Freshness::Stale : Freshness::Waiting;
+        }
         if (heardThisConnection_) sampleReadings(time);
         raise(EventKind::RobotFound, time);
         return;

@@ -7,6 +7,12 @@
 namespace kickstand::thunderbots {
 namespace {
 
+/// Just before the dongle's dead-man acts (protocol 3.5).
+constexpr Duration kSilenceLimit = std::chrono::milliseconds(1800);
+
+}  // namespace
+namespace {
+
 /// A dongle that has not taken the last blocks by then takes none: its own dead-man brakes the robots.
 constexpr Duration kLastBlocksLimit = std::chrono::milliseconds(300);
 
@@ -124,6 +130,7 @@ void Session::step(TimePoint now, bool heartbeatFresh) {
         return;
     }
     brakeForStaleHeartbeat(heartbeatFresh);
+    stopAfterSilence();
     sendRamps(now);
     for (int robot = 0; robot < kRobots; ++robot) {
         if (discharger_.running(robot)) stepDischarge(robot, now);
@@ -134,6 +141,14 @@ void Session::step(TimePoint now, bool heartbeatFresh) {
 void Session::brakeForStaleHeartbeat(bool fresh) {
     if (std::exchange(heartbeatFresh_, fresh) == fresh || fresh) return;
     if (active()) host_.stop.set(StopReason::HeartbeatStale);
+    halt();
+}
+
+void Session::stopAfterSilence() {
+    // With a fresh heartbeat something goes every 300 ms. Where the link has taken nothing for so long, the
+    // dongle's own dead-man has braked the robots, and what is wanted of them is not what they do.
+    if (!heartbeatFresh_ || !active() || controller_.stateTransport().silence() < kSilenceLimit) return;
+    host_.stop.set(StopReason::LinkLost);
     halt();
 }
 

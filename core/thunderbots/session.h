@@ -67,6 +67,7 @@ class Session {
     void stateChanged();
     void robotLost(int robot, TimePoint time);
     void brakeForStaleHeartbeat(bool fresh);
+    void stopAfterSilence();
     void sendBlock(int robot);
     void sendRamps(TimePoint now);
     void stepDischarge(int robot, TimePoint now);

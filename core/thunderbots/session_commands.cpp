@@ -185,6 +185,8 @@ void Session::perform(CommandId id, const SetAutokick& command) {
             return {};
         },
         [this, &command](int robot) -> Result<void> {
+            if (command.armed && discharger_.running(robot))
+                endDischarge(robot, static_cast<std::int64_t>(Errc::Cancelled));
             driver(robot).setAutokick(command.armed, command.times);
             return {};
         });

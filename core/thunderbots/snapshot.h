@@ -20,7 +20,7 @@ namespace kickstand::thunderbots {
 /// How much a robot's readings can be trusted (protocol 6.9).
 enum class Freshness : std::uint8_t {
     NotHeard,  ///< Never heard on this connection, nor before.
-    Waiting,   ///< Alive, but it has not sent valid readings yet.
+    Waiting,   ///< Alive, but it has never sent valid readings.
     Current,   ///< What is shown is what is.
     Stale,     ///< What is shown was so until RobotState::currentUntil.
 };
@@ -83,8 +83,8 @@ struct RobotIntent {
     bool mustPassZero = true;  ///< Held inputs are refused until they have been at zero.
     bool discharging = false;
 
-    /// Whether it moves, charges, is armed to kick, or discharges.
-    bool active() const { return run || dribbler || charger || autokick || discharging; }
+    /// Whether it moves, charges, is armed, or discharges.
+    bool active() const { return run || dribbler || highVoltageArmed || charger || autokick || discharging; }
 };
 
 /// How much passed on the link and how much of it was damaged, since the session began.

@@ -37,6 +37,8 @@ class StateTransport {
     void brakeAll();
     /// Sends an empty packet when nothing has gone for 300 ms (protocol 3.5). True when it did.
     bool keepAliveIfDue();
+    /// How long the link has taken nothing. Zero while closed.
+    Duration silence() const { return open_ ? scheduler_.now() - lastSent_ : Duration::zero(); }
     /// Calls back once: true when everything set so far has been taken by the link (at once where there is
     /// nothing), false when the connection ended before. Several may wait; they are told in their order.
     void whenDrained(std::function<void(bool taken)> drained);

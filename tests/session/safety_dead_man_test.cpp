@@ -2,13 +2,19 @@
 
 #include "core/thunderbots/sim/robot_report.h"
 #include "tests/session/safety_testing.h"
+#include "tests/support/session/faulty_usb_link.h"
 
 namespace kickstand::thunderbots::testing {
 namespace {
 
 using namespace std::chrono_literals;
 
-class DeadMan : public SafetyTest {
+/// How long the machine of a test has slept; there before the engine that asks for it.
+struct Sleep {
+    Duration asleep{};
+};
+
+class DeadMan : protected Sleep, public SafetyTest {
   protected:
     /// All sixteen: the more robots share the radio, the longer each waits for its block.
     static kickstand::testing::SessionRigOptions allRobots() {
@@ -17,7 +23,12 @@ class DeadMan : public SafetyTest {
         return made;
     }
     explicit DeadMan(kickstand::testing::SessionRigOptions made = allRobots())
-        : SafetyTest(std::move(made)) {}
+        : SafetyTest(withSleep(std::move(made))) {}
+
+    kickstand::testing::SessionRigOptions withSleep(kickstand::testing::SessionRigOptions made) {
+        made.engine.timeAsleep = [this] { return asleep; };
+        return made;
+    }
 
     /// Time until no robot is driven any more; a minute when that never happens.
     Duration untilBraked() {
@@ -52,6 +63,53 @@ TEST_F(DeadMan, AFrozenWindowOnALossyRadioBrakesToo) {
     drive(1);
     rig.beat(false);
     EXPECT_LE(untilBraked(), 1100ms) << "at the latest by the robot's own time-out";
+}
+
+TEST_F(DeadMan, AProgramThatWasStoppedForAWhileDoesNotGoOnWhereItWas) {
+    drive(0);
+    rig.scheduler().stall(3s);
+    // Whoever drives is woken first and says at once that all is well.
+    rig.flows().heartbeat.beat(rig.scheduler().now());
+    rig.advance(100ms);
+    EXPECT_EQ(latched(), StopReason::HeartbeatStale);
+    EXPECT_FALSE(driven(0));
+}
+
+TEST_F(DeadMan, AMachineThatSleptDoesNotGoOnWhereItWas) {
+    drive(0);
+    asleep = 10min;
+    rig.advance(100ms);
+    EXPECT_EQ(latched(), StopReason::Suspend);
+    EXPECT_FALSE(driven(0));
+}
+
+TEST_F(DeadMan, AnIdleProgramMaySleepWithoutBeingStopped) {
+    asleep = 10min;
+    rig.advance(100ms);
+    EXPECT_EQ(latched(), StopReason::None);
+    drive(0);
+    EXPECT_TRUE(driven(0));
+}
+
+TEST_F(DeadMan, ALinkThatTakesNothingForAsLongAsTheDonglesDeadManStops) {
+    kickstand::testing::FaultyUsbLink* faulty = nullptr;
+    auto made = options();
+    made.decorate = [&faulty](std::unique_ptr<UsbLink> link, Scheduler& scheduler) {
+        auto around = std::make_unique<kickstand::testing::FaultyUsbLink>(std::move(link), scheduler,
+                                                                          kickstand::testing::FaultPlan{});
+        faulty = around.get();
+        return around;
+    };
+    kickstand::testing::SessionRig blocked(std::move(made));
+    ASSERT_TRUE(blocked.connect());
+    ASSERT_TRUE(blocked.ask(SetWheels{maskOf(0), {50, 50, 50, 50}}));
+    blocked.advance(1s);
+    faulty->refuseOut();
+    blocked.advance(1400ms);
+    EXPECT_EQ(blocked.flows().stop.reason(), StopReason::None);
+    blocked.advance(700ms);
+    EXPECT_EQ(blocked.flows().stop.reason(), StopReason::LinkLost)
+        << "the dongle has braked: what is wanted is not what is done";
 }
 
 TEST_F(DeadMan, NobodyMovesWithoutASignOfLife) {

@@ -39,6 +39,8 @@ TEST_F(HighVoltage, KickAndChargeNeedTheRobotAlive) {
     ASSERT_TRUE(rig.arm(0));
     rig.simulate("dead", 1, 0);
     ASSERT_TRUE(rig.waitUntil([this] { return rig.count(EventKind::RobotLost) == 1; }, 60s));
+    EXPECT_EQ(latched(), StopReason::RobotLost) << "it was armed";
+    rig.rearm();
     EXPECT_EQ(rig.refusal(Kick{0, kKick}), Errc::RobotNotAlive);
     EXPECT_FALSE(intent(0).highVoltageArmed);
 }

@@ -137,6 +137,29 @@ TEST_F(Stop, BrakesAllWhenItIsPressedAgain) {
     EXPECT_FALSE(rig.anyWheelTurns());
 }
 
+TEST_F(Stop, IsSentAgainWhenItIsPressedWhileItIsLatched) {
+    rig.stop();
+    rig.advance(100ms);
+    rig.forgetPackets();
+    rig.stop();
+    rig.advance(100ms);
+    EXPECT_EQ(brakedRobots(), kAllRobots);
+}
+
+TEST_F(Stop, ALinkThatIsGivenUpBrakesFirst) {
+    drive(0);
+    // The debug text stalls once more often than is tried again; the way out still works.
+    rig.waitUntil([this] {
+        if (rig.state().link == LinkState::Running)
+            rig.simulate("stall", wire::address(wire::Endpoint::DebugText));
+        return rig.state().link == LinkState::Failed;
+    });
+    ASSERT_EQ(rig.state().link, LinkState::Failed);
+    EXPECT_EQ(latched(), StopReason::LinkLost);
+    rig.advance(100ms);
+    EXPECT_FALSE(rig.robot(0).lastDrive.run) << "told, not left to the dongle's dead-man";
+}
+
 TEST_F(Stop, TheEmergencyStopLeavingRunLatchesIt) {
     for (const auto position : {wire::EStop::Stop, wire::EStop::Disconnected, wire::EStop::Uninitialized}) {
         drive(0);

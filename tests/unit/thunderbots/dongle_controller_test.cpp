@@ -145,6 +145,8 @@ TEST_F(DongleControllerTest, FailsWhenARadioBreaksDownWhileItRuns) {
     controller.start();
     bringUp();
     say(RadioState::Radio1Failed);
+    EXPECT_EQ(controller.state(), LinkState::Braking) << "robots are braked before the link is given up";
+    drainBlocks();
     EXPECT_EQ(controller.state(), LinkState::Failed);
     EXPECT_EQ(controller.error()->got, 1);
 }
@@ -270,9 +272,20 @@ TEST_F(DongleControllerTest, GivesUpOnAnEndpointThatOnlyStalls) {
         link.complete(endpoint, UsbStatus::Stalled);
         link.completeClear();
     }
+    EXPECT_EQ(controller.state(), LinkState::Braking);
+    drainBlocks();
     EXPECT_EQ(controller.state(), LinkState::Failed);
     EXPECT_EQ(errorCode(), Errc::Stalled);
     EXPECT_EQ(controller.error()->endpoint, endpoint);
+}
+
+TEST_F(DongleControllerTest, GivesUpAllTheSameWhenTheLastBlocksDoNotGo) {
+    controller.start();
+    bringUp();
+    say(RadioState::Radio0Failed);
+    EXPECT_EQ(controller.state(), LinkState::Braking);
+    scheduler.advance(1s);
+    EXPECT_EQ(controller.state(), LinkState::Failed);
 }
 
 TEST_F(DongleControllerTest, StartsACableWithoutRadios) {

@@ -97,7 +97,7 @@ TEST_F(FleetModelTest, ReadingsAreStaleWhenTheRadiosDoNotRun) {
     EXPECT_FALSE(robot(1).live);
 }
 
-TEST_F(FleetModelTest, ReadingsAreStaleWhenTheLinkIsLostAndWaitedForOnTheNextOne) {
+TEST_F(FleetModelTest, ReadingsAreStaleWhenTheLinkIsLostAndUntilTheNextOneBringsNewOnes) {
     begin();
     wire.feedback(1, readings(900, 100));
     wire.lost();
@@ -106,7 +106,7 @@ TEST_F(FleetModelTest, ReadingsAreStaleWhenTheLinkIsLostAndWaitedForOnTheNextOne
     wire.opened();
     EXPECT_EQ(robot(1).freshness, Freshness::Stale);
     wire.status(0b1111);
-    EXPECT_EQ(robot(1).freshness, Freshness::Waiting) << "this connection has not heard it";
+    EXPECT_EQ(robot(1).freshness, Freshness::Stale) << "an old number must not look fresh";
     EXPECT_TRUE(robot(1).feedback) << "what was last seen is remembered";
     wire.feedback(1, readings(900, 100));
     EXPECT_EQ(robot(1).freshness, Freshness::Current);
