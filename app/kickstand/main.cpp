@@ -6,6 +6,9 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
+#include <string_view>
 
 #include "app/composition/composition.h"
 #include "app/kickstand/options.h"
@@ -36,6 +39,30 @@ void afterFirstPaint(ui::Theme& theme, ui::EngineClient& client) {
                      [&client] { client.stop(StopReason::Suspend); });
 }
 
+bool isGiven(int argc, char** argv, std::initializer_list<std::string_view> names) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument = argv[i];
+        for (const std::string_view name : names) {
+            if (argument.substr(0, argument.find('=')) == name) return true;
+        }
+    }
+    return false;
+}
+
+/// A tour needs no display; a window does, and Qt would end the program with a core dump for want of one.
+void chooseScreen(int argc, char** argv) {
+#ifdef Q_OS_LINUX
+    const bool display = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+    if (display || qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || isGiven(argc, argv, {"-platform"})) return;
+    if (isGiven(argc, argv, {"--tour"})) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        return;
+    }
+    std::fputs("kickstand: there is no display. Start it on a desktop, or have it draw itself with --tour DIR.\n", stderr);
+    std::exit(1);
+#endif
+}
+
 void announcePainted() {
     std::puts("painted");
     std::fflush(stdout);
@@ -44,11 +71,17 @@ void announcePainted() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    QCoreApplication::setApplicationName(QStringLiteral("kickstand"));
+    QCoreApplication::setOrganizationName(QStringLiteral("kickstand"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(KICKSTAND_VERSION));
+    if (isGiven(argc, argv, {"-h", "--help", "--help-all", "-v", "--version"})) {
+        // Words need no display.
+        const QCoreApplication words(argc, argv);
+        app::readOptions(QCoreApplication::arguments());
+    }
+    chooseScreen(argc, argv);
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("kickstand"));
     QApplication::setApplicationDisplayName(QStringLiteral("Kickstand"));
-    QApplication::setOrganizationName(QStringLiteral("kickstand"));
-    QApplication::setApplicationVersion(QStringLiteral(KICKSTAND_VERSION));
     const app::Options options = app::readOptions(QApplication::arguments());
 
     // A tour neither reads nor changes what is remembered of this person.
