@@ -5,12 +5,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-programs=(thunderbots/bench_engine thunderbots/bench_decode telemetry/bench_telemetry)
+programs=(thunderbots/bench_engine thunderbots/bench_decode telemetry/bench_telemetry ui/bench_start)
 
-build=build/release-core
+build=build/release-bench
 log=$build/build.log
 mkdir -p "$build"
-if ! { cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DKICKSTAND_GUI=OFF -DKICKSTAND_BENCH=ON &&
+if ! { cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DKICKSTAND_TESTS=OFF -DKICKSTAND_BENCH=ON &&
     ninja -C "$build" "${programs[@]##*/}"; } >"$log" 2>&1; then
     tail -n 20 "$log" >&2
     echo "$0: the build failed; the whole log is $log" >&2

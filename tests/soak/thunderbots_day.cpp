@@ -69,7 +69,8 @@ class Day {
     bool prepare();
     void second(std::int64_t number);
     void readEvents();
-    void readKicks();
+    /// Sees that every kick given to a robot so far was done once: long after the last one, before the next.
+    void compare(int robot);
     /// Memory without what the telemetry's rings have taken so far.
     double memory_MB();
     int report(double wall_s);
@@ -81,6 +82,7 @@ class Day {
     std::vector<double> latencies_ms_;
     std::uint64_t refused_ = 0;
     std::uint64_t unanswered_ = 0;
+    std::uint64_t mismatches_ = 0;  ///< Looks at a robot that had not done each kick once.
     std::uint64_t lostRobots_ = 0;
     std::array<double, 3> memory_MB_{};  ///< At the start, after a quarter, at the end.
     std::array<double, 3> resident_MB_{};
@@ -95,6 +97,7 @@ bool Day::prepare() {
 void Day::second(std::int64_t number) {
     const auto robot = static_cast<int>(number % kRobots);
     const auto steps = static_cast<std::uint8_t>(20 + number % 60);
+    compare(robot);
     const TimePoint given = rig_.scheduler().now();
     const CommandId id = rig_.give(Kick{robot, {true, true, steps, 0, 0}});
     rig_.advance(1s);
@@ -110,6 +113,12 @@ void Day::second(std::int64_t number) {
     const auto records = rig_.robot(robot).lastKicks;
     if (!records.empty() && records.back().time >= given)
         latencies_ms_.push_back(1000 * seconds(records.back().time - given));
+}
+
+void Day::compare(int robot) {
+    const Kicks& kicks = kicks_.at(static_cast<std::size_t>(robot));
+    const auto report = rig_.robot(robot);
+    if (report.kicks - report.automaticKicks + kicks.notDelivered != kicks.given) ++mismatches_;
 }
 
 void Day::readEvents() {
@@ -170,7 +179,7 @@ int Day::report(double wall_s) {
         all.given += one.given;
         all.notDelivered += one.notDelivered;
         all.done += one.done;
-        exact = exact && one.done + one.notDelivered == one.given;
+        exact = exact && one.done == one.given && mismatches_ == 0;
     }
     std::ranges::sort(latencies_ms_);
     const auto quantile = [this](double part) {
@@ -180,7 +189,9 @@ int Day::report(double wall_s) {
     const double grown_MB = memory_MB_[2] - memory_MB_[1];
     const bool flat = grown_MB <= kMayGrow_MB;
     const Snapshot now = rig_.state();
-    const bool ok = exact && flat && unanswered_ == 0 && all.given > 0 && now.link == LinkState::Running;
+    // A robot that is lost, or a kick that is refused, would leave the rest of the day with nothing to show.
+    const bool ok = exact && flat && unanswered_ == 0 && refused_ == 0 && lostRobots_ == 0 && all.given > 0 &&
+                    now.link == LinkState::Running;
     std::printf(
         "{\"soak\": \"thunderbots-day\", \"ok\": %s, \"hours\": %.3f, \"wall_s\": %.1f, \"loss\": %.2f,\n"
         " \"kicks\": {\"given\": %llu, \"done_once\": %llu, \"not_delivered_and_reported\": %llu, "

@@ -36,6 +36,8 @@ constexpr int kStarts = 20;
 /// Longer than anything takes that is not broken.
 constexpr auto kPatience = 10s;
 constexpr double kRobotFeedback_Hz = 200;
+/// Set points in use: below what pulls a battery down until its robot locks itself out.
+constexpr int kSpeeds = 200;
 
 /// Watches for drive blocks: when every robot of a mask has been told a speed, or to brake. Engine thread,
 /// but for expect() and await().
@@ -136,7 +138,7 @@ class EngineBench {
         took.reserve(static_cast<std::size_t>(samples));
         for (int i = 0; i < samples; ++i) {
             pause();
-            took.push_back(drive_ms(robots, 1 + i % kFastestWheel));
+            took.push_back(drive_ms(robots, 1 + i % kSpeeds));
         }
         return took;
     }
@@ -145,7 +147,7 @@ class EngineBench {
         std::vector<double> took;
         took.reserve(static_cast<std::size_t>(samples));
         for (int i = 0; i < samples; ++i) {
-            drive_ms(kAllRobots, 1 + i % 100);
+            drive_ms(kAllRobots, 1 + i % kSpeeds);
             pause();
             watch_.expect(kAllRobots, 0);
             const TimePoint begin = engine_.now();
