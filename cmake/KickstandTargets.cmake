@@ -21,6 +21,9 @@ function(kickstand_library name)
   target_link_libraries(${name} PUBLIC kickstand_options ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
 endfunction()
 
+# The tests labelled "threads": all that the thread sanitizer's build needs.
+add_custom_target(thread_tests)
+
 # kickstand_test(NAME SOURCES file... DEPENDS target... [LABELS label...] [LAUNCHER command...] [ENVIRONMENT VAR=VALUE...])
 # One GoogleTest program, registered with ctest as one test of the same name.
 function(kickstand_test name)
@@ -29,6 +32,9 @@ function(kickstand_test name)
   target_link_libraries(${name} PRIVATE kickstand_options ${ARG_DEPENDS} GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${ARG_LAUNCHER} $<TARGET_FILE:${name}>)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
+  if("threads" IN_LIST ARG_LABELS)
+    add_dependencies(thread_tests ${name})
+  endif()
   if(ARG_ENVIRONMENT)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "${ARG_ENVIRONMENT}")
   endif()
