@@ -173,6 +173,42 @@ TEST_F(ConnectTest, DisconnectingLeadsBackToTheStart) {
     EXPECT_EQ(rig.wire().last(0), std::optional(wire::brakedBlock()));
 }
 
+TEST_F(ConnectTest, HardwareThatIsLeftLiveIsRememberedUntilAPersonSaysOtherwise) {
+    ASSERT_TRUE(rig.connectTo("usb:"));
+    rig.simulate("capacitor", 3, 212);
+    ASSERT_TRUE(
+        rig.waitForSnapshot([](const Snapshot& s) { return s.robots[3].readings.capacitor_V > 200; }));
+    ASSERT_TRUE(choose(QStringLiteral("Disconnect")));
+    ASSERT_TRUE(waitUntil([this] { return rig.bench().session() == nullptr; }));
+    auto* banner = rig.find<ui::Banner>(QStringLiteral("leftBehindBanner"));
+    EXPECT_TRUE(banner->isVisible());
+    EXPECT_TRUE(banner->text().contains(QStringLiteral("robot 3")));
+    EXPECT_TRUE(banner->text().contains(QStringLiteral("treat as live")));
+    rig.click(QStringLiteral("discharged"));
+    EXPECT_FALSE(banner->isVisible());
+}
+
+TEST_F(ConnectTest, SimulatedRobotsLeaveNothingBehind) {
+    ASSERT_TRUE(rig.connectTo());
+    rig.simulate("capacitor", 3, 212);
+    ASSERT_TRUE(
+        rig.waitForSnapshot([](const Snapshot& s) { return s.robots[3].readings.capacitor_V > 200; }));
+    ASSERT_TRUE(choose(QStringLiteral("Disconnect")));
+    ASSERT_TRUE(waitUntil([this] { return rig.bench().session() == nullptr; }));
+    EXPECT_TRUE(rig.bench().leftBehind().empty());
+}
+
+TEST_F(ConnectTest, WithHardwareBesideItTheBannerSaysThat) {
+    ASSERT_TRUE(rig.connectTo("usb:"));
+    const Result<LinkUri> simulation = parseLinkUri("sim:thunderbots?robots=0");
+    rig.bench().connectBeside(*simulation);
+    ASSERT_TRUE(waitUntil([this] { return simulated()->isVisible(); }));
+    EXPECT_TRUE(simulated()->text().contains(QStringLiteral("HARDWARE IS CONNECTED")));
+    // And back to the other one, by the menu.
+    ASSERT_TRUE(choose(QStringLiteral("usb:")));
+    EXPECT_FALSE(simulated()->isVisible());
+}
+
 TEST_F(ConnectTest, AfterAReplugEverythingStandsAtZero) {
     ASSERT_TRUE(rig.connectTo());
     rig.clickRobot(2);

@@ -1,11 +1,11 @@
 // The program itself, from outside.
 
-#include <csignal>
-
 #include <QDir>
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <csignal>
+
 #include <gtest/gtest.h>
 
 namespace kickstand::test {
@@ -17,7 +17,8 @@ class ProgramTest : public testing::Test {
   protected:
     ProgramTest() {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(QLatin1String(name));
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            environment.remove(QLatin1String(name));
         environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
         environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), folder.path());
         program.setProcessEnvironment(environment);
@@ -98,7 +99,8 @@ TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsTheTourWithOneLine) {
 TEST_F(ProgramTest, ASignalEndsItWithCodeZero) {
     offscreen();
     for (const int signal : {SIGTERM, SIGINT}) {
-        program.setArguments({QStringLiteral("--announce"), QStringLiteral("--link"), QStringLiteral("sim:thunderbots")});
+        program.setArguments(
+            {QStringLiteral("--announce"), QStringLiteral("--link"), QStringLiteral("sim:thunderbots")});
         program.start();
         ASSERT_TRUE(program.waitForReadyRead(kWatchdog_ms));
         ASSERT_EQ(kill(static_cast<pid_t>(program.processId()), signal), 0);

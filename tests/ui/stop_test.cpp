@@ -2,6 +2,7 @@
 
 #include <QAbstractSlider>
 #include <QApplication>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -212,6 +213,30 @@ TEST_F(StopTest, LosingTheKeyboardAtRestOrWithTheSettingOffDoesNot) {
         if (action->objectName() == QStringLiteral("focusSetting")) action->setChecked(false);
     }
     emit qApp->applicationStateChanged(Qt::ApplicationInactive);
+    EXPECT_FALSE(rig.client().isStopped());
+}
+
+TEST_F(StopTest, LosingTheKeyboardWithTheHighVoltageArmedAloneDoesNot) {
+    rig.clickRobot(3);
+    rig.click(QStringLiteral("arm"));
+    ASSERT_TRUE(rig.settle());
+    emit qApp->applicationStateChanged(Qt::ApplicationInactive);
+    EXPECT_FALSE(rig.client().isStopped());
+}
+
+TEST_F(StopTest, ClosingThePanelThatDrivesStopsWhatMoves) {
+    drive();
+    QAction* toggle = rig.find<QDockWidget>(QStringLiteral("drive"))->toggleViewAction();
+    toggle->trigger();
+    expectBraked();
+    EXPECT_EQ(rig.client().stopReason(), StopReason::PanelClosed);
+    toggle->trigger();
+    EXPECT_TRUE(rig.find<QDockWidget>(QStringLiteral("drive"))->isVisible());
+}
+
+TEST_F(StopTest, ClosingAPanelThatOnlyShowsDoesNotStop) {
+    drive();
+    rig.find<QDockWidget>(QStringLiteral("events"))->toggleViewAction()->trigger();
     EXPECT_FALSE(rig.client().isStopped());
 }
 

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "ui/shell/system_view.h"
-
 namespace kickstand::ui {
 
 Bench::Bench(EngineClient& client, const SystemRegistry& systems, QSettings& settings, QObject* parent)
@@ -24,13 +22,41 @@ void Bench::show(SessionId id) {
     emit changed();
 }
 
+bool Bench::isMoving() const {
+    return client_.hasPending() || any(&SystemView::isMoving);
+}
+
 bool Bench::isActive() const {
-    if (client_.hasPending()) return true;
+    return client_.hasPending() || any(&SystemView::isActive);
+}
+
+bool Bench::any(bool (SystemView::*holds)(const SystemSnapshot&) const) const {
     for (const SessionSnapshot& session : client_.snapshot().sessions) {
         const SystemView* view = systems_.viewOf(session.system);
-        if (view != nullptr && view->isActive(session.system)) return true;
+        if (view != nullptr && (view->*holds)(session.system)) return true;
     }
     return false;
+}
+
+void Bench::forgetLeftBehind() {
+    leftBehind_.clear();
+    emit changed();
+}
+
+void Bench::rememberHazards() {
+    std::map<SessionId, std::vector<Hazard>> now;
+    for (const SessionSnapshot& session : client_.snapshot().sessions) {
+        const SystemView* view = systems_.viewOf(session.system);
+        if (view != nullptr && !session.uri.isSimulated()) now[session.id] = view->hazards(session.system);
+    }
+    for (auto& [id, hazards] : hazards_) {
+        if (now.contains(id)) continue;
+        for (Hazard& hazard : hazards) {
+            hazard.stale = true;
+            leftBehind_.push_back(std::move(hazard));
+        }
+    }
+    hazards_ = std::move(now);
 }
 
 void Bench::submit(CommandBody body, QObject* context, EngineClient::Answered answered) {
@@ -67,6 +93,7 @@ void Bench::disconnectAll() {
 }
 
 void Bench::follow() {
+    rememberHazards();
     const auto& sessions = client_.snapshot().sessions;
     if (awaited_ != 0 && client_.session(awaited_) != nullptr) {
         current_ = std::exchange(awaited_, 0);

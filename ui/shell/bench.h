@@ -1,15 +1,15 @@
 #pragma once
 
 #include <QObject>
+#include <map>
+#include <vector>
 
 #include "ui/shell/engine_client.h"
+#include "ui/shell/system_view.h"
 
 class QSettings;
 
 namespace kickstand::ui {
-
-class SystemRegistry;
-class SystemView;
 
 /// What every part of the window works with: the engine, the session that is shown, the systems there are,
 /// and what is remembered between runs. GUI thread.
@@ -32,9 +32,17 @@ class Bench final : public QObject {
     /// The view of that session's system; null where there is none.
     const SystemView* view() const;
     void show(SessionId id);
-    /// Whether anything of any session moves, charges, is armed or executes, or a command that is not
-    /// answered yet may make it so.
+    /// Whether anything of any session moves, charges or executes, or a command that is not answered yet may
+    /// make it so.
+    bool isMoving() const;
+    /// The same, or is armed.
     bool isActive() const;
+
+    /// What was dangerous when its link was let go: nobody has seen it safe since. Not of simulated links,
+    /// whose robots are gone with them.
+    const std::vector<Hazard>& leftBehind() const { return leftBehind_; }
+    /// A person says that it is safe now.
+    void forgetLeftBehind();
 
     /// Hands in a command for the shown session.
     void submit(CommandBody body, QObject* context = nullptr, EngineClient::Answered answered = {});
@@ -56,6 +64,8 @@ class Bench final : public QObject {
 
   private:
     void follow();
+    bool any(bool (SystemView::*holds)(const SystemSnapshot&) const) const;
+    void rememberHazards();
     void giveUp(SessionId id, const Error& error);
 
     EngineClient& client_;
@@ -63,6 +73,8 @@ class Bench final : public QObject {
     QSettings& settings_;
     SessionId current_ = 0;
     SessionId awaited_ = 0;
+    std::map<SessionId, std::vector<Hazard>> hazards_;  ///< Of hardware, as last known.
+    std::vector<Hazard> leftBehind_;
 };
 
 }  // namespace kickstand::ui

@@ -24,7 +24,7 @@ void FocusGuard::setOn(bool on) {
 }
 
 void FocusGuard::stateChanged(Qt::ApplicationState state) {
-    if (on_ && state != Qt::ApplicationActive && bench_.isActive())
+    if (on_ && state != Qt::ApplicationActive && bench_.isMoving())
         bench_.client().stop(StopReason::FocusLost);
 }
 

@@ -34,7 +34,7 @@ QPixmap boltPicture(const QWidget& widget) {
 }  // namespace
 
 std::vector<Hazard> hazardsOf(const Bench& bench) {
-    std::vector<Hazard> all;
+    std::vector<Hazard> all = bench.leftBehind();
     for (const SessionSnapshot& session : bench.client().snapshot().sessions) {
         const SystemView* view = bench.systems().viewOf(session.system);
         if (view == nullptr) continue;

@@ -71,6 +71,7 @@ void MainWindow::build() {
     column->addWidget(new TopBar(bench_, connector_->menu(), menus->viewMenu(), menus->helpMenu(), this));
     column->addWidget(simulated_);
     column->addWidget(stopped_);
+    column->addWidget(leftBehind_);
     column->addWidget(problem_);
     pages_->addWidget(new StartPage(bench_, *connector_, pages_));
     pages_->addWidget(workbench_);
@@ -93,6 +94,12 @@ void MainWindow::makeBanners() {
     auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this);
     connect(shortcut, &QShortcut::activated, rearm, &QPushButton::click);
 
+    leftBehind_ = new Banner(Banner::Kind::Danger, this);
+    leftBehind_->setObjectName(QStringLiteral("leftBehindBanner"));
+    QPushButton* safe = leftBehind_->addButton(tr("They are discharged"));
+    safe->setObjectName(QStringLiteral("discharged"));
+    connect(safe, &QPushButton::clicked, &bench_, &Bench::forgetLeftBehind);
+
     problem_ = new Banner(Banner::Kind::Notice, this);
     problem_->setObjectName(QStringLiteral("problemBanner"));
     QPushButton* copy = problem_->addButton(tr("Copy command"));
@@ -111,10 +118,19 @@ void MainWindow::refresh() {
     const SessionSnapshot* session = bench_.session();
     pages_->setCurrentIndex(session == nullptr && !bench_.isConnecting() ? 0 : 1);
     const bool simulated = session != nullptr && session->uri.isSimulated();
-    if (simulated) simulated_->setText(tr("SIMULATED"), bench_.view()->simulatedText(session->uri));
+    if (simulated) simulated_->setText(tr("SIMULATED"), simulatedText(*session));
     simulated_->setVisible(simulated);
+    refreshLeftBehind();
     refreshProblem();
     refreshStop();
+}
+
+QString MainWindow::simulatedText(const SessionSnapshot& shown) const {
+    for (const SessionSnapshot& session : bench_.client().snapshot().sessions) {
+        if (!session.uri.isSimulated())
+            return tr("these robots are simulated; HARDWARE IS CONNECTED beside them");
+    }
+    return tr("%1, no hardware is connected").arg(bench_.view()->simulatedText(shown.uri));
 }
 
 void MainWindow::refreshProblem() {
@@ -130,13 +146,26 @@ void MainWindow::refreshProblem() {
     dismiss_->setVisible(standing == nullptr);
 }
 
+void MainWindow::refreshLeftBehind() {
+    const std::vector<Hazard>& hazards = bench_.leftBehind();
+    QStringList lines;
+    for (const Hazard& hazard : hazards)
+        lines << hazardLine(hazard, bench_.client().now());
+    if (!hazards.empty()) leftBehind_->setText(tr("LEFT LIVE"), lines.join(QStringLiteral("; ")));
+    leftBehind_->setVisible(!hazards.empty());
+}
+
 void MainWindow::refreshStop() {
     const bool stopped = bench_.client().isStopped();
     if (stopped) {
-        stopped_->setText(
-            tr("STOPPED \u2014 %1").arg(describe(bench_.client().stopReason())),
-            tr("Every robot was told to brake; chargers, dribblers and autokick are off. A kick that the "
-               "dongle already held may still have been given."));
+        const StopReason reason = bench_.client().stopReason();
+        const QString told =
+            reason == StopReason::LinkLost
+                ? tr("Robots may not have been told: they brake by themselves within 2.2 s. Look before you "
+                     "reach for them.")
+                : tr("Every robot was told to brake; chargers, dribblers and autokick are off. A kick that "
+                     "the dongle already held may still have been given.");
+        stopped_->setText(tr("STOPPED \u2014 %1").arg(describe(reason)), told);
     }
     stopped_->setVisible(stopped);
     frame_->setVisible(stopped);

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/base/error.h"
+#include "core/engine/messages.h"
 
 class QStackedWidget;
 
@@ -41,6 +41,8 @@ class MainWindow final : public QWidget {
     void build();
     void makeBanners();
     void refresh();
+    QString simulatedText(const SessionSnapshot& shown) const;
+    void refreshLeftBehind();
     void refreshProblem();
     void refreshStop();
     void copyRemedy();
@@ -54,6 +56,7 @@ class MainWindow final : public QWidget {
     QStackedWidget* pages_;
     Banner* simulated_ = nullptr;
     Banner* stopped_ = nullptr;
+    Banner* leftBehind_ = nullptr;
     Banner* problem_ = nullptr;
     QWidget* copy_ = nullptr;
     QWidget* dismiss_ = nullptr;

@@ -17,6 +17,8 @@ class Panel : public QWidget {
     QString note() const { return note_; }
     /// Controls that stand in the panel's header, where it has any. Asked for once.
     virtual QWidget* headerTools() { return nullptr; }
+    /// A person has closed the panel: what is driven from it must not go on unseen.
+    virtual void closed() {}
 
   signals:
     void noteChanged(const QString& note);

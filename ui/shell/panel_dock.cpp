@@ -1,5 +1,6 @@
 #include "ui/shell/panel_dock.h"
 
+#include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -63,6 +64,11 @@ void PanelDock::paintEvent(QPaintEvent*) {
                             metrics::kPanelRadius);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillRect(QRect(1, kHeaderHeight - 1, width() - 2, 1), t.line);
+}
+
+void PanelDock::closeEvent(QCloseEvent* event) {
+    panel_->closed();
+    QDockWidget::closeEvent(event);
 }
 
 }  // namespace kickstand::ui

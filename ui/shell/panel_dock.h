@@ -20,6 +20,7 @@ class PanelDock final : public QDockWidget {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
 
   private:
     Panel* panel_;

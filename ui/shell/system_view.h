@@ -57,6 +57,9 @@ class SystemView {
 
     /// Whether the snapshot is of this system.
     virtual bool owns(const SystemSnapshot& system) const = 0;
+    /// Whether anything moves, charges or executes.
+    virtual bool isMoving(const SystemSnapshot& system) const = 0;
+    /// The same, or is armed.
     virtual bool isActive(const SystemSnapshot& system) const = 0;
     /// How the link stands, first, and other states that matter everywhere.
     virtual std::vector<StateText> states(const SessionSnapshot& session) const = 0;

@@ -55,7 +55,9 @@ void WindowMenus::addPanels() {
             if (first != nullptr) first->setFocus(Qt::ShortcutFocusReason);
         });
         window_.addAction(go);
-        show->setToolTip(go->shortcut().toString(QKeySequence::NativeText));
+        // Its shortcut is the other action's: showing is not hiding.
+        const QString keys = go->shortcut().toString(QKeySequence::NativeText);
+        if (!keys.isEmpty()) show->setText(show->text() + u'\t' + keys);
     }
     view_->setToolTipsVisible(true);
     view_->addAction(tr("&Reset layout"), &window_.workbench(), &Workbench::resetLayout);

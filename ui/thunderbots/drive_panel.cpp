@@ -253,6 +253,10 @@ void DrivePanel::answered(const Result<void>& result) {
     refresh();
 }
 
+void DrivePanel::closed() {
+    if (bench().isActive()) bench().client().stop(StopReason::PanelClosed);
+}
+
 void DrivePanel::resizeEvent(QResizeEvent* event) {
     Panel::resizeEvent(event);
     const bool wide = event->size().width() >= kWideEnough;

@@ -23,6 +23,9 @@ class DrivePanel final : public Panel {
   public:
     DrivePanel(Bench& bench, RobotChoice& choice, QWidget* parent = nullptr);
 
+    /// Stops whatever moves, charges or is armed.
+    void closed() override;
+
   protected:
     void resizeEvent(QResizeEvent* event) override;
 

@@ -93,13 +93,16 @@ bool ThunderbotsView::owns(const SystemSnapshot& system) const {
     return std::holds_alternative<Snapshot>(system);
 }
 
-bool ThunderbotsView::isActive(const SystemSnapshot& system) const {
-    const auto& snapshot = std::get<Snapshot>(system);
-    if (snapshot.active()) return true;
-    for (const RobotIntent& intent : snapshot.intents) {
-        if (intent.highVoltageArmed) return true;
+bool ThunderbotsView::isMoving(const SystemSnapshot& system) const {
+    for (const RobotIntent& intent : std::get<Snapshot>(system).intents) {
+        if (intent.run || intent.dribbler || intent.charger || intent.autokick || intent.discharging)
+            return true;
     }
     return false;
+}
+
+bool ThunderbotsView::isActive(const SystemSnapshot& system) const {
+    return std::get<Snapshot>(system).active();
 }
 
 std::vector<StateText> ThunderbotsView::states(const SessionSnapshot& session) const {
@@ -147,14 +150,12 @@ std::vector<Hazard> ThunderbotsView::hazards(const SystemSnapshot& system) const
 
 QString ThunderbotsView::simulatedText(const LinkUri& uri) const {
     if (const auto cable = uri.options.find("cable"); cable != uri.options.end()) {
-        return Words::tr("virtual robot %1 on a cable, no hardware is connected")
-            .arg(QString::fromStdString(cable->second));
+        return Words::tr("virtual robot %1 on a cable").arg(QString::fromStdString(cable->second));
     }
     const auto robots = uri.options.find("robots");
     QString text = robots == uri.options.end() || robots->second == "0-15"
-                       ? Words::tr("sixteen virtual robots, no hardware is connected")
-                       : Words::tr("virtual robots %1, no hardware is connected")
-                             .arg(QString::fromStdString(robots->second));
+                       ? Words::tr("sixteen virtual robots")
+                       : Words::tr("virtual robots %1").arg(QString::fromStdString(robots->second));
     if (const auto loss = uri.options.find("loss"); loss != uri.options.end()) {
         text += Words::tr("; radio loss %1 %")
                     .arg(QString::fromStdString(loss->second).toDouble() * 100, 0, 'g', 3);

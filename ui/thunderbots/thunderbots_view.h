@@ -16,6 +16,7 @@ class ThunderbotsView final : public SystemView {
     std::vector<PanelEntry> panels() const override;
     std::vector<LinkOffer> offers() const override;
     bool owns(const SystemSnapshot& system) const override;
+    bool isMoving(const SystemSnapshot& system) const override;
     bool isActive(const SystemSnapshot& system) const override;
     std::vector<StateText> states(const SessionSnapshot& session) const override;
     const Error* obstacle(const SystemSnapshot& system) const override;

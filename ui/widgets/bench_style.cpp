@@ -159,7 +159,6 @@ int BenchStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
         case PM_DockWidgetSeparatorExtent:
             return metrics::kGap;
         case PM_DockWidgetFrameWidth:
-            return 0;
         case PM_ButtonShiftHorizontal:
         case PM_ButtonShiftVertical:
             return 0;
