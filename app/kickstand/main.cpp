@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
@@ -30,6 +31,7 @@ namespace {
 using namespace kickstand;
 
 constexpr QSize kTourSize(1440, 900);
+constexpr Duration kTourPatience = std::chrono::seconds(10);
 
 /// What can wait until the window has been painted: buses may take their time.
 void afterFirstPaint(ui::Theme& theme, ui::EngineClient& client) {
@@ -58,7 +60,9 @@ void chooseScreen(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         return;
     }
-    std::fputs("kickstand: there is no display. Start it on a desktop, or have it draw itself with --tour DIR.\n", stderr);
+    std::fputs(
+        "kickstand: there is no display. Start it on a desktop, or have it draw itself with --tour DIR.\n",
+        stderr);
     std::exit(1);
 #endif
 }
@@ -92,7 +96,10 @@ int main(int argc, char** argv) {
     ui::Theme theme(settings);
     if (options.theme) theme.useNow(*options.theme);
 
-    Engine engine(makeLinkProvider());
+    EngineOptions engineOptions;
+    // Drawing pictures takes longer than a hand may be off a real robot; these are simulated.
+    if (options.tourFolder) engineOptions.heartbeatLimit = kTourPatience;
+    Engine engine(makeLinkProvider(), engineOptions);
     ui::EngineClient client(engine);
     ui::SystemRegistry systems;
     systems.add(std::make_unique<ui::ThunderbotsView>());

@@ -75,6 +75,9 @@ Options readOptions(const QStringList& arguments) {
         options.theme = themeNamed(parser.value(theme));
         if (!options.theme) refuse(Words::tr("--theme takes system, light or dark."));
     }
+    if (parser.isSet(tour) && !options.links.empty()) {
+        refuse(Words::tr("--tour drives simulated robots alone: leave --link out."));
+    }
     options.announce = parser.isSet(announce);
     if (parser.isSet(tour)) options.tourFolder = parser.value(tour);
     return options;

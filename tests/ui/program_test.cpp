@@ -68,6 +68,7 @@ TEST_F(ProgramTest, NonsenseIsRefusedInOneLineWithCodeTwo) {
         {QStringLiteral("--link"), QStringLiteral("nonsense")},
         {QStringLiteral("--link"), QStringLiteral("sim:thunderbots?robots=99")},
         {QStringLiteral("--theme"), QStringLiteral("pink")},
+        {QStringLiteral("--tour"), folder.path(), QStringLiteral("--link"), QStringLiteral("usb:")},
     };
     for (const QStringList& arguments : nonsense) {
         EXPECT_EQ(run(arguments), 2) << arguments.join(u' ').toStdString();

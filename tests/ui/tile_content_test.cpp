@@ -85,12 +85,20 @@ TEST(TileContent, ALostRobotWithAnEmptyCapacitorIsQuietAndTellsItsAge) {
 
 TEST(TileContent, WhatTheRobotWasToldIsItsState) {
     RobotState state = robot(15.9, 0);
-    EXPECT_EQ(tileContent(0, state, false, kNow).state, QStringLiteral("braked"));
+    EXPECT_EQ(tileContent(0, state, false, kNow).motion, QStringLiteral("braked"));
     state.told->run = true;
-    EXPECT_EQ(tileContent(0, state, false, kNow).state, QStringLiteral("holding"));
+    EXPECT_EQ(tileContent(0, state, false, kNow).motion, QStringLiteral("holding"));
+    EXPECT_FALSE(tileContent(0, state, false, kNow).moving);
     state.told->wheels[2] = 5;
-    state.told->dribble = true;
-    EXPECT_EQ(tileContent(0, state, false, kNow).state, QStringLiteral("dribbler \u00b7 moving"));
+    state.told->charge = state.told->dribble = true;
+    const TileContent tile = tileContent(0, state, false, kNow);
+    EXPECT_EQ(tile.motion, QStringLiteral("moving"));
+    EXPECT_TRUE(tile.moving);
+    EXPECT_EQ(tile.state, QStringLiteral("charging \u00b7 dribbler"));
+}
+
+TEST(TileContent, WhatALostRobotWasToldIsNotShownAsIfItWereSo) {
+    EXPECT_TRUE(tileContent(0, lost(12, std::chrono::seconds(3)), false, kNow).motion.isEmpty());
 }
 
 TEST(TileContent, NoiseBelowWhatIsShownRepaintsNothing) {

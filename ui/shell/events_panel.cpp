@@ -4,12 +4,12 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
-#include <QStackedLayout>
 #include <QStyledItemDelegate>
 #include <QTableView>
 
@@ -65,12 +65,11 @@ EventsPanel::EventsPanel(Bench& bench, QWidget* parent)
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
     empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    auto* stack = new QStackedLayout(this);
-    stack->setStackingMode(QStackedLayout::StackAll);
-    stack->setContentsMargins(1, 0, 1, metrics::kPanelRadius);
-    stack->addWidget(view_);
-    stack->addWidget(empty_);
-    stack->setCurrentWidget(empty_);
+    // One over the other, inside the panel's rounded frame.
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(1, 0, 1, metrics::kPanelRadius);
+    layout->addWidget(view_, 0, 0);
+    layout->addWidget(empty_, 0, 0);
 
     connect(&bench.client(), &EngineClient::eventsArrived, this, &EventsPanel::take);
     connect(&bench.client(), &EngineClient::refused, this, &EventsPanel::takeRefusal);

@@ -1,5 +1,6 @@
 #include "ui/shell/help_window.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QTextBlock>
@@ -40,6 +41,12 @@ void setOut(QTextDocument& page, const Tokens& tokens) {
         format.setCellPadding(kCellPadding);
         format.setBottomMargin(kHeadingGap - kParagraphGap);
         table->setFormat(format);
+        for (int cell = 0; cell < table->rows() * table->columns(); ++cell) {
+            QTextTableCell here = table->cellAt(cell / table->columns(), cell % table->columns());
+            QTextTableCellFormat lines = here.format().toTableCellFormat();
+            lines.setBorderBrush(tokens.line);
+            here.setFormat(lines);
+        }
     }
 }
 
@@ -70,6 +77,11 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), browser_(
     connect(back, &QPushButton::clicked, browser_, &QTextBrowser::backward);
     connect(browser_, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
     connect(contents, &QPushButton::clicked, this, [this] { showPage(QStringLiteral("index.md")); });
+}
+
+void HelpWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) setOut(*browser_->document(), tokensOf(palette()));
+    QWidget::changeEvent(event);
 }
 
 void HelpWindow::showPage(const QString& page) {

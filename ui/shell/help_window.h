@@ -14,6 +14,9 @@ class HelpWindow final : public QWidget {
 
     void showPage(const QString& page);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     QTextBrowser* browser_;
 };

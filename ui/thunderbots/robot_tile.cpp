@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kSide = 8;
 constexpr int kNumberSize = 28;
+constexpr int kMotionTop = 32;
+constexpr int kMotionHeight = 14;
 constexpr int kReadingSize = 15;
 constexpr int kLine = 18;
 constexpr double kBarHeight = 3;
@@ -38,6 +40,18 @@ Inks inksOf(TileContent::Weight weight, const Tokens& t) {
             break;
     }
     return {t.grid, t.text};
+}
+
+/// As many whole words of a list as there is room for; what is no list is cut.
+QString fitting(const QString& text, const QFontMetrics& metrics, int width) {
+    QStringList words = text.split(QStringLiteral(" \u00b7 "));
+    if (words.size() == 1 && metrics.horizontalAdvance(text) > width && text.contains(u' ')) {
+        return metrics.elidedText(text, Qt::ElideRight, width);
+    }
+    while (!words.isEmpty() && metrics.horizontalAdvance(words.join(QStringLiteral(" \u00b7 "))) > width) {
+        words.removeLast();
+    }
+    return words.join(QStringLiteral(" \u00b7 "));
 }
 
 }  // namespace
@@ -94,8 +108,12 @@ void RobotTile::paintEvent(QPaintEvent*) {
     const Tokens& t = tokensOf(palette());
     painter.setFont(numberFont(kNumberSize, QFont::DemiBold));
     painter.setPen(content_.live ? t.text : t.muted);
-    painter.drawText(QRectF(kSide, 4, width() / 2.0, 30), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(kSide, 3, width() / 2.0, 30), Qt::AlignLeft | Qt::AlignVCenter,
                      QString::number(content_.robot));
+    painter.setFont(textFont(metrics::kSmallTextSize, content_.moving ? QFont::DemiBold : QFont::Normal));
+    painter.setPen(content_.moving ? t.text : t.muted);
+    painter.drawText(QRectF(kSide, kMotionTop, width() / 2.0, kMotionHeight),
+                     Qt::AlignLeft | Qt::AlignVCenter, content_.motion);
     paintReadings(painter);
     paintState(painter);
 }
@@ -183,9 +201,8 @@ void RobotTile::paintState(QPainter& painter) const {
     painter.setFont(font);
     painter.setPen(t.muted);
     const QRectF rest(x, area.bottom() - 16, area.right() - x, 16);
-    painter.drawText(
-        rest, Qt::AlignVCenter | Qt::AlignLeft,
-        painter.fontMetrics().elidedText(content_.state, Qt::ElideRight, static_cast<int>(rest.width())));
+    painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft,
+                     fitting(content_.state, painter.fontMetrics(), static_cast<int>(rest.width())));
 }
 
 }  // namespace kickstand::ui

@@ -1,6 +1,7 @@
 #include "ui/thunderbots/robots_panel.h"
 
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <bit>
@@ -25,7 +26,17 @@ RobotsPanel::RobotsPanel(Bench& bench, RobotChoice& choice, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(metrics::kGap, metrics::kGap, metrics::kGap, metrics::kGap);
     column->setSpacing(6);
-    column->addWidget(grid_, 1);
+    // All sixteen fit from 800 pixels on; below that they scroll.
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(grid_);
+    area->setMinimumWidth(grid_->minimumSizeHint().width());
+    area->viewport()->setAutoFillBackground(false);
+    grid_->setAutoFillBackground(false);
+    column->addWidget(area, 1);
     column->addWidget(hint_);
     connect(&bench, &Bench::changed, this, &RobotsPanel::refresh);
     connect(&choice_, &RobotChoice::changed, this, &RobotsPanel::refresh);

@@ -36,17 +36,18 @@ double step(double part) {
     return std::round(part * 64) / 64;
 }
 
-QString doing(const RobotState& state) {
-    if (!state.told) return {};
-    const wire::DriveBlock& told = *state.told;
-    QStringList parts;
+void addTold(TileContent& tile, const wire::DriveBlock& told) {
     const bool turns =
         std::any_of(told.wheels.begin(), told.wheels.end(), [](int speed) { return speed != 0; });
+    tile.moving = told.run && turns;
+    tile.motion = !told.run ? TileText::tr("braked")
+                  : turns   ? TileText::tr("moving")
+                            : TileText::tr("holding");
+    QStringList parts;
     if (told.charge) parts << TileText::tr("charging");
     if (told.autokickArmed) parts << TileText::tr("autokick");
     if (told.dribble) parts << TileText::tr("dribbler");
-    parts << (!told.run ? TileText::tr("braked") : turns ? TileText::tr("moving") : TileText::tr("holding"));
-    return parts.join(QStringLiteral(" \u00b7 "));
+    tile.state = parts.join(QStringLiteral(" \u00b7 "));
 }
 
 void addBattery(TileContent& tile, const Readings& readings) {
@@ -83,7 +84,7 @@ void addStale(TileContent& tile, const RobotState& state, TimePoint now) {
 void addCurrent(TileContent& tile, const RobotState& state) {
     if (state.readings.charged) tile.chips.push_back({TileText::tr("charged"), TileContent::Weight::Danger});
     if (state.readings.ball) tile.chips.push_back({TileText::tr("ball"), TileContent::Weight::Accent});
-    tile.state = doing(state);
+    if (state.told) addTold(tile, *state.told);
 }
 
 QString sentence(const TileContent& tile) {
@@ -95,6 +96,7 @@ QString sentence(const TileContent& tile) {
     }
     for (const TileContent::Chip& chip : tile.chips)
         parts << chip.text;
+    if (!tile.motion.isEmpty()) parts << tile.motion;
     if (!tile.state.isEmpty()) parts << tile.state;
     if (tile.chosen) parts << TileText::tr("chosen");
     return parts.join(QStringLiteral(", "));

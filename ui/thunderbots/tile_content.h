@@ -27,8 +27,10 @@ struct TileContent {
     QString capacitor;
     bool capacitorLive = false;  ///< Dangerous, or to be taken for it.
     double capacitorLevel = -1;
+    QString motion;  ///< Braked, holding, moving: what it was told.
+    bool moving = false;
     std::vector<Chip> chips;
-    QString state;
+    QString state;       ///< What else it was told, or why there is nothing newer.
     QString accessible;  ///< The same in one sentence.
 
     friend bool operator==(const TileContent&, const TileContent&) = default;
