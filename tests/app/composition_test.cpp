@@ -51,7 +51,8 @@ TEST(Composition, MakesASimulatedDongleThatOpens) {
     ASSERT_TRUE(provided);
     ASSERT_NE(provided->sim, nullptr);
     std::optional<UsbDeviceInfo> info;
-    provided->link->open([&info](Result<UsbDeviceInfo> opened) { info = opened.value_or(UsbDeviceInfo{}); });
+    provided->link->open(
+        [&info](const Result<UsbDeviceInfo>& opened) { info = opened.value_or(UsbDeviceInfo{}); });
     scheduler.advance(std::chrono::seconds(1));
     ASSERT_TRUE(info);
     EXPECT_EQ(info->vendor, 0x04D8);
