@@ -2,8 +2,8 @@
 
 #include "core/link/usb/libusb_link.h"
 #include "tests/contract/usb_rig.h"
-#include "tests/support/usb/watched_scheduler.h"
 #include "tests/support/usb/umockdev_bus.h"
+#include "tests/support/usb/watched_scheduler.h"
 
 namespace kickstand::testing {
 
