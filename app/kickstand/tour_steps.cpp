@@ -50,21 +50,22 @@ class Steps {
     using Act = std::function<void()>;
     using Done = std::function<bool()>;
 
-    void add(const char* name, Act act, Done done) {
+    void add(const char* name, const Act& act, const Done& done) {
         steps_.push_back({QString::fromLatin1(name), act, done, {}});
     }
-    void show(const char* name, Act act, Done done) {
+    void show(const char* name, const Act& act, const Done& done) {
         steps_.push_back(
-            {QString::fromLatin1(name), act, done, [this_ = &window_] { return this_->grab(); }});
+            {QString::fromLatin1(name), act, done, [window = &window_] { return window->grab(); }});
     }
     /// With another window drawn over the first.
-    void showOver(const char* name, Act act, Done done, std::function<QWidget*()> over) {
-        steps_.push_back({QString::fromLatin1(name), act, done, [this_ = &window_, over] {
-                              QPixmap picture = this_->grab();
+    void showOver(const char* name, const Act& act, const Done& done, const std::function<QWidget*()>& over) {
+        steps_.push_back({QString::fromLatin1(name), act, done, [window = &window_, over] {
+                              QPixmap picture = window->grab();
                               if (QWidget* top = over()) {
                                   QPainter painter(&picture);
                                   painter.drawPixmap(
-                                      top->mapToGlobal(QPoint()) - this_->mapToGlobal(QPoint()), top->grab());
+                                      top->mapToGlobal(QPoint()) - window->mapToGlobal(QPoint()),
+                                      top->grab());
                               }
                               return picture;
                           }});
@@ -79,13 +80,13 @@ class Steps {
     Act simulate(const char* action, int unit, double value) const {
         return [bench = &bench_, action, unit, value] { bench->submit(SimPerform{action, unit, value}); };
     }
-    Done when(std::function<bool(const Snapshot&)> holds) const {
+    Done when(const std::function<bool(const Snapshot&)>& holds) const {
         return [bench = &bench_, holds] {
             const Snapshot* snapshot = ui::snapshotOf(bench->session());
             return snapshot != nullptr && holds(*snapshot);
         };
     }
-    Done whenRobot(std::function<bool(const RobotState&)> holds) const {
+    Done whenRobot(const std::function<bool(const RobotState&)>& holds) const {
         return when([holds](const Snapshot& snapshot) { return holds(snapshot.robots[kRobot]); });
     }
     static bool always() { return true; }

@@ -81,7 +81,7 @@ class Engine::Impl {
     std::atomic<bool> shutDown_{false};
 };
 
-Engine::Engine(std::unique_ptr<LinkProvider> links, EngineOptions options)
+Engine::Engine(std::unique_ptr<LinkProvider> links, const EngineOptions& options)
     : impl_(std::make_unique<Impl>(std::move(links), options)) {}
 
 Engine::~Engine() = default;

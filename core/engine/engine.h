@@ -26,7 +26,7 @@ struct EngineOptions {
 /// for the engine thread, except shutdown() and the destructor.
 class Engine {
   public:
-    explicit Engine(std::unique_ptr<LinkProvider> links, EngineOptions options = {});
+    explicit Engine(std::unique_ptr<LinkProvider> links, const EngineOptions& options = {});
     /// As shutdown().
     ~Engine();
     Engine(const Engine&) = delete;

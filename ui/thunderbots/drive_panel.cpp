@@ -237,11 +237,10 @@ void DrivePanel::passZero() {
     ask(SetWheels{untold, {}, true});
 }
 
-void DrivePanel::ask(thunderbots::Command command) {
+void DrivePanel::ask(const thunderbots::Command& command) {
     ++waiting_;
     refusal_.clear();
-    bench().submit(SystemCommand{std::move(command)}, this,
-                   [this](const Result<void>& result) { answered(result); });
+    bench().submit(SystemCommand{command}, this, [this](const Result<void>& result) { answered(result); });
 }
 
 void DrivePanel::answered(const Result<void>& result) {

@@ -42,7 +42,7 @@ class DrivePanel final : public Panel {
     void sendWheels();
     void sendLate();
     void passZero();
-    void ask(thunderbots::Command command);
+    void ask(const thunderbots::Command& command);
     void answered(const Result<void>& result);
 
     RobotChoice& choice_;

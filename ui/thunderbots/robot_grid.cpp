@@ -19,6 +19,24 @@ constexpr int kRows = kRobots / kColumns;
 constexpr int kTileGap = 6;
 constexpr int kLeastTileWidth = 124;
 
+/// The place that a key leads to; it may lie outside.
+int neighbour(int place, int key) {
+    switch (key) {
+        case Qt::Key_Left:
+            return place - 1;
+        case Qt::Key_Right:
+            return place + 1;
+        case Qt::Key_Up:
+            return place - kColumns;
+        case Qt::Key_Down:
+            return place + kColumns;
+        case Qt::Key_Home:
+            return 0;
+        default:
+            return kRobots - 1;
+    }
+}
+
 }  // namespace
 
 RobotGrid::RobotGrid(RobotChoice& choice, QWidget* parent)
@@ -106,26 +124,7 @@ void RobotGrid::chooseAll() {
 
 void RobotGrid::step(int robot, int key, Qt::KeyboardModifiers modifiers) {
     const auto at = static_cast<int>(std::find(order_.begin(), order_.end(), robot) - order_.begin());
-    int to = at;
-    switch (key) {
-        case Qt::Key_Left:
-            to = at - 1;
-            break;
-        case Qt::Key_Right:
-            to = at + 1;
-            break;
-        case Qt::Key_Up:
-            to = at - kColumns;
-            break;
-        case Qt::Key_Down:
-            to = at + kColumns;
-            break;
-        case Qt::Key_Home:
-            to = 0;
-            break;
-        default:
-            to = kRobots - 1;
-    }
+    const int to = neighbour(at, key);
     if (to < 0 || to >= kRobots) return;
     const int next = order_[static_cast<std::size_t>(to)];
     tile(next)->setFocus(Qt::TabFocusReason);
