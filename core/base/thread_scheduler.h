@@ -15,6 +15,7 @@ namespace kickstand {
 /// the thread sanitizer sees every lock. Calls that are pending at destruction are dropped unrun.
 class ThreadScheduler final : public Scheduler {
   public:
+    /// Begins its thread. Any thread.
     ThreadScheduler();
     /// Waits for the call that runs now and ends the thread. Not from the scheduler's own thread.
     ~ThreadScheduler() override;

@@ -17,6 +17,7 @@ struct Description {
     /// "What. Remedy." in one line.
     QString line() const;
 };
+/// The sentence for an error, and its remedy where there is one.
 Description describe(const Error& error);
 
 /// How much an event matters to somebody who reads a list of them.
@@ -27,15 +28,20 @@ struct EventText {
     QString text;
     Severity severity = Severity::Information;
 };
+/// The words for an event, and how much it matters.
 EventText describe(const EngineEvent& event);
 /// The robot an event concerns, or -1.
 int robotOf(const EngineEvent& event);
 /// When it happened, on the engine's clock.
 TimePoint timeOf(const EngineEvent& event);
 
+/// Why STOP is latched, to follow "Stopped: ".
 QString describe(StopReason reason);
+/// A state in a word or two, as labels show it.
 QString describe(thunderbots::LinkState state);
+/// As the dongle reports its emergency stop (protocol 3.8).
 QString describe(thunderbots::wire::EStop state);
+/// As the dongle reports its radios (protocol 3.8).
 QString describe(thunderbots::wire::RadioState state);
 
 }  // namespace kickstand

@@ -32,6 +32,7 @@ struct EngineFlows {
 /// one can run it through a day. Everything but the flows is used on the scheduler's thread.
 class EngineCore {
   public:
+    /// Scheduler and links must outlive it. Nothing happens before start().
     EngineCore(Scheduler& scheduler, LinkProvider& links, const EngineOptions& options);
     ~EngineCore();
 

@@ -41,6 +41,7 @@ struct Discover {};
 /// All that can be asked of the engine, as plain values.
 using CommandBody = std::variant<Connect, Disconnect, SimPerform, Discover, SystemCommand>;
 
+/// A command on its way in: answered once, under its id.
 struct Command {
     CommandId id = 0;
     SessionId session = 0;

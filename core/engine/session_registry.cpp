@@ -1,6 +1,7 @@
 #include "core/engine/session_registry.h"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "core/thunderbots/session.h"
@@ -46,7 +47,10 @@ Result<MadeSession> makeSession(const LinkUri& uri, LinkProvider& links,
     for (const System& system : kSystems) {
         if (system.takes(uri)) return system.make(uri, links, environment);
     }
-    return fail(Errc::Unsupported, toString(uri));
+    std::string known;
+    for (const System& system : kSystems)
+        known += (known.empty() ? "the systems here are " : ", ") + std::string(system.name);
+    return fail(Errc::Unsupported, toString(uri), std::move(known));
 }
 
 }  // namespace kickstand

@@ -15,6 +15,7 @@ class SystemSession {
   public:
     virtual ~SystemSession() = default;
 
+    /// Begins to open the link. Once, first.
     virtual void start() = 0;
     /// Answers through the host, exactly once; BadArgument for another system's command.
     virtual void execute(CommandId id, const SystemCommand& command) = 0;
@@ -22,9 +23,14 @@ class SystemSession {
     virtual void step(TimePoint now, bool heartbeatFresh) = 0;
     /// STOP has been latched.
     virtual void halt() = 0;
+    /// Whether anything moves, charges, is armed or executes: what a stale heartbeat or a lost focus must
+    /// stop.
     virtual bool active() const = 0;
+    /// Brakes and closes the link; `done` comes once, when it is closed.
     virtual void shutdown(std::function<void()> done) = 0;
+    /// Grows whenever snapshot() would give something else.
     virtual std::uint64_t version() const = 0;
+    /// Everything as it is now, as plain values.
     virtual SystemSnapshot snapshot() const = 0;
 };
 

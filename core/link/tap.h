@@ -30,6 +30,7 @@ struct UsbTapRecord {
 class UsbTapObserver {
   public:
     virtual ~UsbTapObserver() = default;
+    /// One transfer has begun or ended. The link's thread; the bytes are valid during the call.
     virtual void observe(const UsbTapRecord& record) = 0;
 };
 

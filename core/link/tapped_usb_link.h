@@ -14,6 +14,7 @@ namespace kickstand {
 /// records are the tap's own count; clearing a halt is shown as the control transfer that it is on the wire.
 class TappedUsbLink final : public UsbLink {
   public:
+    /// Takes `inner` over. `scheduler` is the one that it was made with.
     TappedUsbLink(std::unique_ptr<UsbLink> inner, Scheduler& scheduler);
 
     /// Observers are told in the order they were added; each must outlive the link or be removed. Both may be

@@ -54,7 +54,9 @@ class UsbDeviceModel {
   public:
     virtual ~UsbDeviceModel() = default;
 
+    /// The same for as long as the model lives.
     virtual const UsbDescriptors& descriptors() const = 0;
+    /// Whether it is plugged in.
     virtual bool attached() const = 0;
     /// At most one listener; nullptr to have none.
     virtual void setListener(UsbDeviceListener* listener) = 0;

@@ -67,6 +67,7 @@ using UsbCallback = std::function<void(const UsbCompletion&)>;
 /// Identifies a transfer of one link. Zero is never given out.
 using UsbTransferId = std::uint64_t;
 
+/// Whether an endpoint address (0x85) is of the IN direction. Any thread.
 constexpr bool isInEndpoint(std::uint8_t endpoint) {
     return (endpoint & 0x80) != 0;
 }

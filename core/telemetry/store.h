@@ -25,6 +25,7 @@ struct TelemetryLimits {
 /// ever removed: what is found stays valid as long as the store, which sessions and views share.
 class TelemetryStore {
   public:
+    /// Memory is taken as series are made, up to the limits. Any thread.
     explicit TelemetryStore(const TelemetryLimits& limits = {});
 
     /// The series of a key, made on first use; nullptr, and counted, when there are as many as may be. Keep

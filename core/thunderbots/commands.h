@@ -35,6 +35,7 @@ struct SetWheelLimit {
     int limit = kStartingWheelLimit;
 };
 
+/// Switches the dribbler. It runs only while its motor is within its temperatures (protocol 6.4).
 struct SetDribbler {
     RobotMask robots = 0;
     bool on = false;
@@ -72,6 +73,8 @@ struct SetAutokick {
 /// one or a reboot (protocol 4.5).
 enum class TestModeWay : std::uint8_t { DriveBlock, Message };
 
+/// Shows a test on the robots' LEDs (protocol 4.2, 4.5). OutOfRange for a target that the class does not
+/// have, or that the drive block has no room for.
 struct SetTestMode {
     RobotMask robots = 0;
     wire::TestMode mode;
@@ -92,6 +95,7 @@ struct SetChannels {
     std::uint8_t channel1 = 0;
 };
 
+/// Any of them.
 using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick,
                              SetAutokick, SetTestMode, Discharge, SetChannels>;
 

@@ -20,7 +20,9 @@ class Discharger {
     /// What step() found.
     enum class Finding : std::uint8_t { Wait, Pulse, Empty, NoEffect, Unknown };
 
+    /// From here on look() finds pulses to be due. `capacitor_V` is what there is to begin with.
     void begin(int robot, double capacitor_V, TimePoint now);
+    /// No more pulses for this robot; nothing where it is not being discharged.
     void end(int robot);
     bool running(int robot) const { return runs_[static_cast<std::size_t>(robot)].has_value(); }
     /// Looks at a robot that is being discharged. Pulse: one is due now. Empty: below 25 V. NoEffect: the

@@ -13,6 +13,7 @@ namespace kickstand::thunderbots {
 /// It sends nothing: a live link and a recording feed it alike. Engine thread.
 class FleetModel final : public UsbTapObserver {
   public:
+    /// `samples` takes the readings, `event` what is worth telling; both outlive the model.
     FleetModel(SampleSink& samples, std::function<void(const Event&)> event);
 
     /// One thing that happened on the link.

@@ -18,6 +18,7 @@ class InPump {
     InPump(UsbLink& link, std::uint8_t endpoint, std::size_t packetBytes, int depth,
            std::function<void(ByteView)> received, std::function<void(Error)> failed);
 
+    /// Begins to ask, on a link that has been opened.
     void open();
     /// Asks for nothing more; pending transfers are ended by whoever closes the link.
     void close();

@@ -29,12 +29,14 @@ class MessagePipe {
     /// Messages that may wait; one more is refused.
     static constexpr std::size_t kCapacity = 64;
 
+    /// `failed` comes when the endpoint stalled or failed more often in a row than is tried again.
     MessagePipe(UsbLink& link, Scheduler& scheduler, const StopLatch& stop,
                 std::function<void(Error)> failed);
     ~MessagePipe();
     MessagePipe(const MessagePipe&) = delete;
     MessagePipe& operator=(const MessagePipe&) = delete;
 
+    /// Takes messages from here on, on a link that has been opened.
     void open();
     /// Ends every message with `why`.
     void close(const Error& why);
@@ -44,6 +46,7 @@ class MessagePipe {
     Result<void> push(const OutMessage& message, Done done);
     /// Drops every kick that the dongle has not taken yet, with this code.
     void dropKicks(Errc why);
+    /// Messages that the dongle has not taken yet.
     std::size_t waiting() const { return queue_.size(); }
 
   private:

@@ -13,6 +13,7 @@ namespace kickstand::thunderbots {
 /// asks. Times come with what it is told, so a recording feeds it as well as a live link. Engine thread.
 class RobotModel {
   public:
+    /// As FleetModel's, for one robot.
     RobotModel(int robot, SampleSink& samples, const std::function<void(const Event&)>& event);
 
     const RobotState& state() const { return state_; }

@@ -19,6 +19,7 @@ class Session {
   public:
     using Host = SessionHost<Event>;
 
+    /// Wraps `link` in the tap that feeds the model. Nothing is opened before start().
     Session(Host host, std::unique_ptr<UsbLink> link);
     ~Session();
     Session(const Session&) = delete;

@@ -45,7 +45,9 @@ struct OutsideLibrary {
     std::string_view home;
     bool (*matches)(std::string_view target);
 };
-constexpr std::array<OutsideLibrary, 4> kOutsideLibraries{{
+constexpr std::array<OutsideLibrary, 5> kOutsideLibraries{{
+    {"Asio", "core/link/socket/",
+     [](std::string_view t) { return t == "asio.hpp" || t.starts_with("asio/"); }},
     {"libusb", "core/link/usb/", [](std::string_view t) { return t.ends_with("libusb.h"); }},
     {"Qt SerialPort", "core/link/serial/",
      [](std::string_view t) { return t.find("SerialPort") != t.npos && t.starts_with('Q'); }},

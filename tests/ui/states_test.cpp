@@ -69,6 +69,7 @@ TEST_F(StatesTest, ReadingsChangeOnTheTile) {
 }
 
 TEST_F(StatesTest, ALostRobotKeepsItsLiveCapacitorInRedAndIsNeverFresh) {
+    rig.clickRobot(4);
     rig.simulate("capacitor", 4, 212);
     ASSERT_TRUE(waitUntil([this] { return tile(4)->content().capacitorLive; }));
     rig.simulate("dead", 4, 1);
@@ -77,6 +78,9 @@ TEST_F(StatesTest, ALostRobotKeepsItsLiveCapacitorInRedAndIsNeverFresh) {
     EXPECT_TRUE(tile(4)->content().capacitor.endsWith(u'?'));
     EXPECT_TRUE(tile(4)->accessibleName().contains(QStringLiteral("treat as live")));
     EXPECT_TRUE(waitForEvent(QStringLiteral("treat as live")));
+    const auto* readout = rig.find<QWidget>(QStringLiteral("capacitor"));
+    EXPECT_TRUE(waitUntil(
+        [readout] { return readout->accessibleName().contains(QStringLiteral("s ago: treat as live")); }));
 }
 
 TEST_F(StatesTest, APulledPlugMakesEverythingStale) {

@@ -29,10 +29,10 @@ double partOf(double volts) {
 CapacitorReadout::CapacitorReadout(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("capacitor"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    showState({});
+    showState({}, {});
 }
 
-void CapacitorReadout::showState(const ChoiceSummary& summary) {
+void CapacitorReadout::showState(const ChoiceSummary& summary, TimePoint now) {
     const double volts = summary.capacitor_V.value_or(0);
     const QString number = summary.capacitor_V ? capacitorText(volts) : QStringLiteral("\u2014");
     const bool live = volts >= thunderbots::wire::kCapacitorLive_V;
@@ -41,7 +41,10 @@ void CapacitorReadout::showState(const ChoiceSummary& summary) {
         caption = tr("robot %1's capacitor").arg(summary.capacitorRobot);
         if (std::popcount(summary.chosen) > 1)
             caption = tr("highest of those chosen: robot %1").arg(summary.capacitorRobot);
-        if (live) caption += summary.capacitorStale ? tr(" \u00b7 lost: treat as live") : tr(" \u00b7 live");
+        if (live && summary.capacitorStale)
+            caption += tr(" \u00b7 %1 ago: treat as live").arg(ageText(now - summary.capacitorSeen));
+        else if (live)
+            caption += tr(" \u00b7 live");
     }
     if (number == number_ && caption == caption_ && live == live_) return;
     number_ = number;

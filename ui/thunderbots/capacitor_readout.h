@@ -12,7 +12,7 @@ class CapacitorReadout final : public QWidget {
   public:
     explicit CapacitorReadout(QWidget* parent = nullptr);
 
-    void showState(const ChoiceSummary& summary);
+    void showState(const ChoiceSummary& summary, TimePoint now);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

@@ -29,6 +29,7 @@ void addCapacitor(ChoiceSummary& summary, int robot, const RobotState& state) {
     summary.capacitor_V = state.capacitor->last_V;
     summary.capacitorRobot = robot;
     summary.capacitorStale = state.freshness != Freshness::Current;
+    summary.capacitorSeen = state.currentUntil;
 }
 
 void addTold(ChoiceSummary& summary, const RobotState& state, bool first) {

@@ -27,6 +27,7 @@ struct ChoiceSummary {
     std::optional<double> capacitor_V;
     int capacitorRobot = -1;
     bool capacitorStale = false;
+    TimePoint capacitorSeen{};  ///< When a stale one was last current.
     /// What they were told, where it is the same for all of those that are heard.
     std::optional<thunderbots::wire::DriveBlock> told;
     bool toldDiffers = false;

@@ -103,6 +103,9 @@ void DrivePanel::connectBoxes() {
         }
     });
     connect(&pace_, &QTimer::timeout, this, &DrivePanel::sendLate);
+    // The age of a lost capacitor goes on while nothing else happens.
+    connect(&ages_, &QTimer::timeout, this, &DrivePanel::refresh);
+    ages_.start(1s);
     connect(new QShortcut(QKeySequence(Qt::Key_Z), this), &QShortcut::activated, this, &DrivePanel::askZero);
     connect(&choice_, &RobotChoice::changed, this, [this] {
         // What was set for others is not meant for these.
@@ -141,7 +144,7 @@ void DrivePanel::refresh() {
             differs_[i] = !summary_.target[i].has_value();
     }
     wheels_->showState(summary_, shown.wheelLimit, follow);
-    voltage_->showState(summary_, follow);
+    voltage_->showState(summary_, bench().client().now(), follow);
     const QString reason = reasonNotToDrive(snapshot);
     wheels_->setUsable(reason.isEmpty());
     voltage_->setUsable(reason.isEmpty());

@@ -62,6 +62,7 @@ class DrivePanel final : public Panel {
     bool held_ = false;
     bool late_ = false;  ///< There is a newer wish than the last one sent.
     QTimer pace_;
+    QTimer ages_;
 };
 
 }  // namespace kickstand::ui

@@ -53,8 +53,8 @@ HighVoltageBox::HighVoltageBox(QWidget* parent)
     refreshUsable();
 }
 
-void HighVoltageBox::showState(const ChoiceSummary& summary, bool buttons) {
-    readout_->showState(summary);
+void HighVoltageBox::showState(const ChoiceSummary& summary, TimePoint now, bool buttons) {
+    readout_->showState(summary, now);
     armed_ = summary.armed == All::Every;
     arm_->setText(armed_                       ? tr("High voltage armed")
                   : summary.armed == All::Some ? tr("Arm high voltage (some are)")

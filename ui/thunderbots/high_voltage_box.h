@@ -18,7 +18,7 @@ class HighVoltageBox final : public QWidget {
     explicit HighVoltageBox(QWidget* parent = nullptr);
 
     /// `buttons`: whether they may follow the snapshot, or a person's wish is still on its way.
-    void showState(const ChoiceSummary& summary, bool buttons);
+    void showState(const ChoiceSummary& summary, TimePoint now, bool buttons);
     void setUsable(bool usable);
 
   signals:

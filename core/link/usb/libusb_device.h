@@ -25,6 +25,7 @@ class LibusbDevice {
     bool is(const libusb_device* device) const { return device_.get() == device; }
     /// Hands a transfer to libusb, and gives libusb's code. The link's thread.
     int submit(TransferRequest request);
+    /// Asks for an early end. The link's thread.
     void cancel(UsbTransferId id) { transfers_.cancel(id); }
     UsbStatus clearHalt(std::uint8_t endpoint);
 

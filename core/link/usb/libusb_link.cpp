@@ -289,9 +289,9 @@ void LibusbLink::cancel(UsbTransferId id) {
 }
 
 void LibusbLink::requestCancel(UsbTransferId id) {
-    jobs_.run([this, id] {
-        if (ownedDevice_) ownedDevice_->cancel(id);
-    });
+    // Here, not behind what the job thread may be blocked by: STOP cancels what has not been sent. A device
+    // that is being shut ends all its transfers itself.
+    if (device_ != nullptr) device_->cancel(id);
 }
 
 void LibusbLink::refuse(UsbCallback done, UsbStatus status) {

@@ -15,12 +15,14 @@ namespace kickstand::usb {
 Error toError(int code, std::string subject);
 tl::unexpected<Error> failWith(int code, std::string subject);
 
+/// Gives libusb's record of a device back.
 struct DeviceUnref {
     void operator()(libusb_device* device) const { libusb_unref_device(device); }
 };
 /// A counted reference to a device on the bus, opened or not.
 using DeviceRef = std::unique_ptr<libusb_device, DeviceUnref>;
 
+/// Closes an open device.
 struct HandleClose {
     void operator()(libusb_device_handle* handle) const { libusb_close(handle); }
 };

@@ -12,6 +12,7 @@ namespace kickstand::thunderbots::sim {
 /// lasts from the shot until 250 ms after the beam has cleared (protocol 6.5).
 class BreakBeam {
   public:
+    /// Autokick holds off for this long after the beam has cleared (protocol 6.5).
     static constexpr Duration kLockOut = std::chrono::milliseconds(250);
 
     /// Puts a ball into the beam or takes it out.

@@ -31,7 +31,9 @@ class DongleSim final : private UsbSideOwner, private RadioHost {
     const UsbSide& usb() const { return usb_; }
 
     // For a hand from outside.
+    /// Pulls the plug or puts it back; without it the dongle has no power and forgets.
     void setPlugged(bool plugged);
+    /// Turns the emergency stop switch.
     void setEStop(wire::EStop position);
     wire::EStop eStop() const { return eStop_; }
     /// Which radio fails, now and at every start; none: both work, from the next start on.

@@ -75,6 +75,7 @@ class RobotSim {
     void dropOutgoing();
 
     // For a hand from outside.
+    /// Puts a ball into the break beam, or takes it out.
     void setBall(bool ball);
     bool ball() const { return beam_.ball(); }
     /// The battery's voltage at rest, volts.
@@ -88,6 +89,7 @@ class RobotSim {
     void sendExperiment();
 
     // For a look.
+    /// Everything about it at this moment.
     RobotReport report();
     const FlashChip& flash() const { return flash_; }
 

@@ -12,6 +12,7 @@ namespace kickstand::thunderbots::sim {
 class SequenceNumbers {
   public:
     std::uint8_t of(wire::Pipe pipe) const { return numbers_[static_cast<std::size_t>(pipe)]; }
+    /// Goes on to the number after this one (protocol 5.3).
     void step(wire::Pipe pipe) {
         std::uint8_t& number = numbers_[static_cast<std::size_t>(pipe)];
         number = static_cast<std::uint8_t>((number + 1) & 0x3F);

@@ -15,6 +15,7 @@ namespace kickstand::thunderbots::sim {
 /// the scheduler's thread.
 class SimWorld {
   public:
+    /// Makes the robots and the device that the options ask for. `scheduler` outlives it.
     SimWorld(Scheduler& scheduler, const ThunderbotsSimOptions& options);
     SimWorld(const SimWorld&) = delete;
     SimWorld& operator=(const SimWorld&) = delete;

@@ -26,6 +26,7 @@ struct DeviceReport {
 /// alone.
 class ThunderbotsSim {
   public:
+    /// Everything is switched on and plugged in. `scheduler` outlives it.
     ThunderbotsSim(Scheduler& scheduler, const ThunderbotsSimOptions& options = {});
     ~ThunderbotsSim();
     ThunderbotsSim(const ThunderbotsSim&) = delete;

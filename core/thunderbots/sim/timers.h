@@ -24,9 +24,11 @@ class Timers {
             callback();
         });
     }
+    /// Calls once, unless cancelled by then.
     void after(Duration delay, Scheduler::Callback callback) {
         at(scheduler_.now() + delay, std::move(callback));
     }
+    /// Forgets every call that has not come.
     void cancelAll() {
         for (const auto& [key, id] : pending_)
             scheduler_.cancel(id);
@@ -47,6 +49,7 @@ class Timer {
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
 
+    /// Calls at `when` instead of whatever was pending.
     template <class Callback>
     void startAt(TimePoint when, Callback callback) {
         stop();
@@ -55,10 +58,12 @@ class Timer {
             callback();
         });
     }
+    /// startAt(), counted from now.
     template <class Callback>
     void start(Duration delay, Callback callback) {
         startAt(scheduler_.now() + delay, callback);
     }
+    /// Forgets the pending call.
     void stop() {
         if (id_ != 0) scheduler_.cancel(id_);
         id_ = 0;

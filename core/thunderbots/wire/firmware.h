@@ -86,6 +86,7 @@ struct BlockCrcResponse {
     std::uint16_t crc = 0;
     friend constexpr bool operator==(const BlockCrcResponse&, const BlockCrcResponse&) = default;
 };
+/// The operational parameters' volatile shadow (protocol 4.7, 4.8).
 struct ReadParametersResponse {
     OperationalParameters parameters;
     friend constexpr bool operator==(const ReadParametersResponse&, const ReadParametersResponse&) = default;

@@ -33,6 +33,7 @@ struct OperationalParameters {
     /// What the robot has behind the bytes that are defined: kept as it was read and written back unchanged.
     InlineBytes<kMaxParameterBytes - kDefinedParameterBytes> tail;
 
+    /// The flash contents by name; a number without one is given as it is (protocol 4.8).
     FlashContents flash() const noexcept {
         return flashContents > 1 ? FlashContents::NoData : static_cast<FlashContents>(flashContents);
     }

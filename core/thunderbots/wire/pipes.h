@@ -31,11 +31,13 @@ enum class PipeType : std::uint8_t {
     Message,         ///< Delivered once, in order.
 };
 
+/// Which way a pipe goes (protocol 1).
 constexpr Direction directionOf(Pipe pipe) noexcept {
     return pipe == Pipe::Feedback || pipe == Pipe::FirmwareResponse || pipe == Pipe::Indicator
                ? Direction::In
                : Direction::Out;
 }
+/// Whether a pipe keeps the latest state or a queue of messages (protocol 1).
 constexpr PipeType typeOf(Pipe pipe) noexcept {
     return pipe == Pipe::Drive || pipe == Pipe::Feedback ? PipeType::StateTransport : PipeType::Message;
 }
@@ -51,9 +53,11 @@ constexpr std::optional<Pipe> pipeFromNumber(std::uint8_t number) noexcept {
 constexpr std::uint8_t headerByte(std::uint8_t robot, Pipe pipe) noexcept {
     return static_cast<std::uint8_t>(robot << 4 | static_cast<std::uint8_t>(pipe));
 }
+/// The robot in a micropacket's or message's header (protocol 3.6, 3.7).
 constexpr std::uint8_t robotOfHeader(std::uint8_t header) noexcept {
     return header >> 4;
 }
+/// The pipe's number in it, which may be none of the pipes.
 constexpr std::uint8_t pipeNumberOfHeader(std::uint8_t header) noexcept {
     return header & 0x0F;
 }

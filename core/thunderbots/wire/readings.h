@@ -28,12 +28,15 @@ inline constexpr LinearScale kCapacitorScale_V{3.3 / 2200 * 222200 / 4096, 0};
 /// Dribbler motor degrees Celsius from its thermistor (protocol 6.4).
 inline constexpr LinearScale kDribblerScale_C{0.5735, -205.9815};
 
+/// Volts of a reading (protocol 6.2).
 constexpr double battery_V(std::uint16_t adc) noexcept {
     return kBatteryScale_V.value(adc);
 }
+/// Volts of a reading (protocol 6.3).
 constexpr double capacitor_V(std::uint16_t adc) noexcept {
     return kCapacitorScale_V.value(adc);
 }
+/// Degrees Celsius of a reading (protocol 6.4).
 constexpr double dribbler_C(std::uint16_t adc) noexcept {
     return kDribblerScale_C.value(adc);
 }
@@ -42,9 +45,11 @@ constexpr double dribbler_C(std::uint16_t adc) noexcept {
 constexpr std::uint16_t battery_adc(double volts) noexcept {
     return kBatteryScale_V.adc(volts, kMaxAdc10);
 }
+/// The reading nearest to these volts, within the converter's range (protocol 6.3).
 constexpr std::uint16_t capacitor_adc(double volts) noexcept {
     return kCapacitorScale_V.adc(volts, kMaxAdc12);
 }
+/// The reading nearest to this temperature, within the converter's range (protocol 6.4).
 constexpr std::uint16_t thermistor_adc(double celsius) noexcept {
     return kDribblerScale_C.adc(celsius, kMaxAdc10);
 }

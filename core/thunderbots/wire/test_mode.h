@@ -32,6 +32,7 @@ struct TestTargets {
 
     constexpr bool any() const noexcept { return first != 0; }
 };
+/// The targets that a test class has, and what they are (protocol 4.2).
 constexpr TestTargets targetsOf(TestClass testClass) noexcept {
     switch (testClass) {
         case TestClass::Hall:
