@@ -1,13 +1,11 @@
 #pragma once
 
-#include <deque>
-#include <map>
 #include <memory>
+#include <unordered_map>
 
 #include "core/base/scheduler.h"
-#include "core/link/usb_device_model.h"
+#include "core/link/usb_host_controller.h"
 #include "core/link/usb_link.h"
-#include "core/link/usb_packet_check.h"
 
 namespace kickstand {
 
@@ -19,12 +17,8 @@ struct LoopbackOptions {
     std::string port{};
 };
 
-/// The host controller of a simulated device, in this process. It keeps the pace of a full-speed bus: time is
-/// cut into frames of 1 ms on the scheduler's clock, and at the end of each every endpoint moves at most one
-/// packet and one control transfer is done; an interrupt endpoint takes part once per its interval. A waiting
-/// IN transfer whose endpoint has answered Nak costs nothing until the device says that it is ready; an OUT
-/// packet that was refused is offered again at the endpoint's next turn.
-class LoopbackUsbLink final : public UsbLink, private UsbDeviceListener {
+/// The link to a simulated device in this process, at the pace of UsbHostController.
+class LoopbackUsbLink final : public UsbLink {
   public:
     /// `scheduler` is the one that the model was made with. Both must outlive the link.
     LoopbackUsbLink(Scheduler& scheduler, UsbDeviceModel& model, LoopbackOptions options = {});
@@ -42,61 +36,24 @@ class LoopbackUsbLink final : public UsbLink, private UsbDeviceListener {
     void setPresenceListener(std::function<void(bool present)> listener) override;
 
   private:
-    using Frame = std::int64_t;
     enum class State : std::uint8_t { Closed, Opening, Open, Closing, Losing };
 
-    struct Transfer {
-        UsbTransferId id = 0;
-        std::vector<std::uint8_t> data;  ///< What is to be sent.
-        std::size_t size = 0;            ///< What is asked for at most.
-        UsbCallback done;
-    };
-    struct Pipe {
-        UsbEndpointInfo info;
-        bool ready = true;         ///< Has not answered Nak since it last said that it was ready.
-        std::optional<Frame> due;  ///< When it has its turn; none while there is nothing to move.
-        std::deque<Transfer> queue;
-    };
-    struct Control {
-        UsbSetup setup;
-        Transfer transfer;
-        TimerId deadline = 0;
-    };
-
-    void endpointReady(std::uint8_t endpoint) override;
-    void attachedChanged(bool attached) override;
-
-    Frame currentFrame() const;
-    void arm();
-    void runFrame();
-    void openStep();
+    void attachedChanged(bool attached);
+    void configure(std::uint8_t configuration);
+    void configured(std::uint8_t configuration, UsbStatus status);
     void finishOpen(Result<UsbDeviceInfo> result);
-    Result<UsbDeviceInfo> configured();
-    void serviceControl();
-    void servicePipe(Pipe& pipe);
-    Result<UsbTransferId> submit(std::uint8_t endpoint, UsbDirection direction, Transfer transfer);
-    void queueControl(Control control, Duration deadline);
-    void endAll(UsbStatus status);
-    void finish(UsbCallback done, UsbStatus status, std::size_t actual = 0, ByteView data = {});
-    void later(std::function<void()> callback);
-    void deliver();
+    void end(UsbCallback done, UsbStatus status);
 
     Scheduler& scheduler_;
     UsbDeviceModel& model_;
     const LoopbackOptions options_;
     State state_ = State::Closed;
-    std::uint8_t nextConfiguration_ = 0;
+    std::uint64_t opening_ = 0;  ///< Tells the answers to an earlier open() from those to this one.
     std::function<void(Result<UsbDeviceInfo>)> opened_;
     std::function<void(bool)> presence_;
-    std::map<std::uint8_t, Pipe> pipes_;
-    std::deque<Control> controls_;
-    std::vector<std::uint8_t> packet_;
-    UsbTransferId lastId_ = 0;
-    TimerId frameTimer_ = 0;
-    Frame armedFor_ = 0;
-    std::deque<std::function<void()>> outbox_;
-    bool deliveryAsked_ = false;
-    std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);
+    std::unordered_map<std::uint64_t, TimerId> deadlines_;  ///< Of control transfers.
+    std::uint64_t lastDeadline_ = 0;
+    UsbHostController controller_;
 };
 
 }  // namespace kickstand
