@@ -8,34 +8,18 @@
 
 #include "core/base/result.h"
 #include "core/base/scheduler.h"
-#include "core/link/usb_device_model.h"
+#include "core/usbip/usbip_connection.h"
+#include "core/usbip/usbip_exports.h"
 
 namespace kickstand {
 
 /// Where a USB/IP server listens, and how much it bears.
 struct UsbipServerOptions {
     std::string address = "127.0.0.1";  ///< Numeric. Anything but a loopback address needs `anyAddress`.
-    std::uint16_t port = 3240;          ///< 0 takes any free one.
-    bool anyAddress = false;            ///< Whoever asks in so many words may be served to other machines.
-    std::size_t maxConnections = 8;     ///< Others are closed at once, and counted.
-    std::size_t maxTransfers = 256;     ///< Waiting at once on a connection; one more ends it.
-};
-
-/// A device under the name that clients ask for.
-struct UsbipExport {
-    std::string busId;  ///< "1-1".
-    UsbDeviceModel* model = nullptr;
-};
-
-/// What a server has seen, for people and tests.
-struct UsbipServerReport {
-    std::uint64_t connections = 0;
-    std::uint64_t refused = 0;    ///< Connections that were one too many.
-    std::uint64_t malformed = 0;  ///< Connections ended because no sense could be made of them.
-    std::uint64_t imports = 0;
-    std::uint64_t transfers = 0;
-    std::uint64_t unlinked = 0;
-    bool inUse = false;  ///< Somebody has imported a device at this moment.
+    std::uint16_t port = usbip::kDefaultPort;  ///< 0 takes any free one.
+    bool anyAddress = false;         ///< Whoever asks in so many words may be served to other machines.
+    std::size_t maxConnections = 8;  ///< Others are closed at once, and counted.
+    UsbipLimits limits{};            ///< Of one connection.
 };
 
 /// Exports simulated USB devices over USB/IP 1.1.1, to several clients one after another: a Linux kernel
@@ -45,19 +29,21 @@ struct UsbipServerReport {
 /// thread.
 class UsbipServer {
   public:
-    /// Hears, in words of facts, what happens: a client came, imported, left, was refused.
+    /// Hears what happens, as "client 3 imported 1-1".
     using Log = std::function<void(const std::string& line)>;
 
     /// Begins to serve. The scheduler is that of the models; both must outlive the server. Errors: those of
-    /// Sockets::listenTcp(); BadArgument for an address that is not a loopback one without `anyAddress`, for
-    /// a bus id that cannot travel or is there twice.
+    /// Sockets::listenTcp() and UsbipExports::make(); BadArgument for an address that is not a loopback one
+    /// without `anyAddress`.
     static Result<std::unique_ptr<UsbipServer>> serve(Scheduler& scheduler, std::vector<UsbipExport> exports,
                                                       const UsbipServerOptions& options = {}, Log log = {});
     ~UsbipServer();
     UsbipServer(const UsbipServer&) = delete;
     UsbipServer& operator=(const UsbipServer&) = delete;
 
+    /// The port that clients find it at.
     std::uint16_t port() const;
+    /// What has happened so far.
     UsbipServerReport report() const;
 
   private:
