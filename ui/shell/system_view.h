@@ -1,7 +1,7 @@
 #pragma once
 
-#include <QDockWidget>
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -15,12 +15,21 @@ namespace kickstand::ui {
 class Bench;
 class Panel;
 
+/// Where a panel stands on the first day. Those of one place are tabs of it.
+enum class PanelPlace {
+    Side,    ///< The column at the left, from top to bottom.
+    Work,    ///< The large place at the top.
+    Aside,   ///< A narrow column at the right of it.
+    Below,   ///< Under these two, across.
+    Bottom,  ///< Under everything.
+};
+
 /// What the shell must know of a panel before there is one.
 struct PanelEntry {
     QString id;  ///< Stable: layouts are remembered by it.
     QString title;
     QString helpPage;  ///< A page of resources/help.
-    Qt::DockWidgetArea area = Qt::LeftDockWidgetArea;
+    PanelPlace place = PanelPlace::Work;
     std::function<Panel*(Bench&)> make;
 };
 

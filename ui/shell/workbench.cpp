@@ -2,12 +2,12 @@
 
 #include <QApplication>
 #include <QSettings>
+#include <initializer_list>
 #include <utility>
 
 #include "ui/shell/bench.h"
 #include "ui/shell/events_panel.h"
 #include "ui/shell/panel_dock.h"
-#include "ui/shell/system_view.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -15,54 +15,92 @@ namespace kickstand::ui {
 namespace {
 
 constexpr const char* kLayoutSetting = "window/docks";
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
-constexpr int kWorkHeight = 332;
-constexpr int kLeastEventsHeight = 160;
+constexpr int kAsideWidth = 248;
+constexpr int kWorkHeight = 360;
+constexpr int kLeastEventsHeight = 112;
+/// Of what is left under the work panels.
+constexpr double kBottomShare = 0.33;
 
 }  // namespace
 
 Workbench::Workbench(Bench& bench, QWidget* parent) : QMainWindow(parent, Qt::Widget), bench_(bench) {
     setDockOptions(AllowNestedDocks | AllowTabbedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setContentsMargins(metrics::kGap, metrics::kGap, metrics::kGap, metrics::kGap);
     addPanels();
 }
 
 void Workbench::addPanels() {
     for (const auto& view : bench_.systems().views()) {
-        for (const PanelEntry& entry : view->panels()) {
-            docks_.push_back(new PanelDock(entry.id, entry.title, entry.helpPage, entry.make(bench_), this));
-            areas_.push_back(entry.area);
-        }
+        for (const PanelEntry& entry : view->panels())
+            addPanel(entry);
     }
-    docks_.push_back(new PanelDock(QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md"),
-                                   new EventsPanel(bench_), this));
-    areas_.push_back(Qt::RightDockWidgetArea);
+    addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md"), PanelPlace::Bottom,
+              [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
     placePanels();
+}
+
+void Workbench::addPanel(const PanelEntry& entry) {
+    docks_.push_back(new PanelDock(entry.id, entry.title, entry.helpPage, entry.make(bench_), this));
+    places_.push_back(entry.place);
+}
+
+QList<QDockWidget*> Workbench::docksAt(PanelPlace place) const {
+    QList<QDockWidget*> docks;
+    for (std::size_t i = 0; i < docks_.size(); ++i) {
+        if (places_[i] == place) docks.append(docks_[i]);
+    }
+    return docks;
 }
 
 void Workbench::placePanels() {
     QDockWidget* above = nullptr;
-    for (std::size_t i = 0; i < docks_.size(); ++i) {
-        addDockWidget(areas_[i], docks_[i]);
-        docks_[i]->show();
-        if (areas_[i] != Qt::RightDockWidgetArea) continue;
-        if (above != nullptr) splitDockWidget(above, docks_[i], Qt::Vertical);
-        above = docks_[i];
+    // A row is split off the one above it before that one is split across.
+    for (const PanelPlace place :
+         {PanelPlace::Side, PanelPlace::Work, PanelPlace::Below, PanelPlace::Bottom, PanelPlace::Aside}) {
+        const QList<QDockWidget*> docks = docksAt(place);
+        if (docks.isEmpty()) continue;
+        QDockWidget* first = docks.front();
+        const QList<QDockWidget*> work = docksAt(PanelPlace::Work);
+        addDockWidget(place == PanelPlace::Side ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, first);
+        if (place == PanelPlace::Aside && !work.isEmpty()) {
+            splitDockWidget(work.front(), first, Qt::Horizontal);
+        } else if (place != PanelPlace::Side) {
+            if (above != nullptr) splitDockWidget(above, first, Qt::Vertical);
+            above = first;
+        }
+        first->show();
+        for (QDockWidget* dock : docks.mid(1)) {
+            tabifyDockWidget(first, dock);
+            dock->show();
+        }
+        first->raise();
     }
 }
 
 void Workbench::sizePanels() {
-    QList<QDockWidget*> side;
-    QList<QDockWidget*> right;
-    for (PanelDock* dock : docks_)
-        (dockWidgetArea(dock) == Qt::LeftDockWidgetArea ? side : right).append(dock);
-    if (!side.isEmpty() && !right.isEmpty()) {
-        resizeDocks({side.front(), right.front()}, {kSideWidth, width() - kSideWidth}, Qt::Horizontal);
-    }
-    QList<int> heights(right.size(), kWorkHeight);
-    if (!heights.isEmpty()) heights.back() = qMax(kLeastEventsHeight, height() - kWorkHeight);
-    resizeDocks(right, heights, Qt::Vertical);
+    const auto size = [this](std::initializer_list<std::pair<PanelPlace, int>> wanted,
+                             Qt::Orientation orientation) {
+        QList<QDockWidget*> docks;
+        QList<int> sizes;
+        for (const auto& [place, pixels] : wanted) {
+            const QList<QDockWidget*> there = docksAt(place);
+            if (there.isEmpty()) continue;
+            docks.append(there.front());
+            sizes.append(pixels);
+        }
+        resizeDocks(docks, sizes, orientation);
+    };
+    const int left = height() - kWorkHeight;
+    const int bottom = qMax(kLeastEventsHeight, static_cast<int>(left * kBottomShare));
+    size({{PanelPlace::Side, kSideWidth}, {PanelPlace::Work, width() - kSideWidth - kAsideWidth}},
+         Qt::Horizontal);
+    size({{PanelPlace::Work, width() - kSideWidth - kAsideWidth}, {PanelPlace::Aside, kAsideWidth}},
+         Qt::Horizontal);
+    size({{PanelPlace::Work, kWorkHeight}, {PanelPlace::Below, left - bottom}, {PanelPlace::Bottom, bottom}},
+         Qt::Vertical);
 }
 
 void Workbench::showEvent(QShowEvent* event) {

@@ -3,9 +3,10 @@
 #include <QMainWindow>
 #include <vector>
 
+#include "ui/shell/system_view.h"
+
 namespace kickstand::ui {
 
-class Bench;
 class PanelDock;
 
 /// The docks with the panels of every system and the events. Layouts are remembered.
@@ -28,12 +29,14 @@ class Workbench final : public QMainWindow {
 
   private:
     void addPanels();
+    void addPanel(const PanelEntry& entry);
     void placePanels();
     void sizePanels();
+    QList<QDockWidget*> docksAt(PanelPlace place) const;
 
     Bench& bench_;
     std::vector<PanelDock*> docks_;
-    std::vector<Qt::DockWidgetArea> areas_;
+    std::vector<PanelPlace> places_;  ///< Of each dock.
     bool sized_ = false;  ///< Sizes are those that a person left.
 };
 

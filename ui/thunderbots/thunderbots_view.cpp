@@ -71,9 +71,9 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
     RobotChoice& choice = *choice_;
     return {
         {QStringLiteral("robots"), Words::tr("Robots"), QString::fromLatin1(kHelpPage),
-         Qt::LeftDockWidgetArea,
+         PanelPlace::Side,
          [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
-        {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), Qt::RightDockWidgetArea,
+        {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
          [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
     };
 }
