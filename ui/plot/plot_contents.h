@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QString>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/base/signal_id.h"
+#include "core/telemetry/marks.h"
+#include "ui/plot/value_range.h"
+
+namespace kickstand::ui {
+
+/// A value that means something, as a line across its area.
+struct PlotThreshold {
+    double value = 0;
+    QString label;
+};
+
+/// One of the areas that stand above each other on a shared time axis: all quantities of one unit and size.
+struct PlotArea {
+    QString title;  ///< With its unit: "Battery V".
+    QString unit;
+    int decimals = 1;
+    ValueRange usual;  ///< Shown until a person zooms; wider while values lie outside.
+    std::vector<PlotThreshold> thresholds;
+};
+
+/// One quantity over time.
+struct PlotCurve {
+    SignalId signal;
+    int area = 0;  ///< Index of its area.
+    QString name;  ///< "3 battery".
+    QString tag;   ///< Stands at its end: "3".
+    int colour = 0;
+};
+
+/// A mark of the time axis in words.
+struct MarkWords {
+    QString label;  ///< Beside its line, short.
+    QString words;  ///< On hover, with all that is known.
+    bool danger = false;
+};
+/// Nothing for a mark that is not shown.
+using DescribeMark = std::function<std::optional<MarkWords>(const Mark&)>;
+
+/// What time it is, on the clock of the samples and on the wall.
+struct PlotClock {
+    std::function<TimePoint()> now;
+    std::function<std::chrono::system_clock::time_point(TimePoint)> wall;
+};
+
+}  // namespace kickstand::ui
