@@ -42,17 +42,6 @@ bool fits(const Command& command) {
     return command.data.empty() && (isInEndpoint(command.endpoint) || command.setup.length == 0);
 }
 
-const char* wordOf(OpStatus status) {
-    switch (status) {
-        case OpStatus::Ok:
-            return "imported";
-        case OpStatus::Busy:
-            return "was refused, because another client has it,";
-        default:
-            return "was refused, because it is not there,";
-    }
-}
-
 }  // namespace
 
 UsbipConnection::UsbipConnection(Scheduler& scheduler, std::unique_ptr<ByteStream> stream, UsbipHall& hall,
@@ -135,7 +124,8 @@ void UsbipConnection::import(const std::string& busId) {
     }
     if (status != OpStatus::Ok) {
         send(usbip::encodeImportReply(status, {}));
-        return end("asked for a device that " + std::string(wordOf(status)) + " and left");
+        return end(status == OpStatus::Busy ? "asked for a device that another client has"
+                                            : "asked for a device that is not there");
     }
     entry->taken = true;
     imported_ = entry;
