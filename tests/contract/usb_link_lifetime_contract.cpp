@@ -22,7 +22,7 @@ TEST_P(UsbLinkContract, OpenTellsWhatTheDeviceIs) {
     EXPECT_EQ(info.release, 0x0123);
     EXPECT_EQ(info.manufacturer, "Bench works");
     EXPECT_EQ(info.productName, "Fake device");
-    EXPECT_EQ(info.port, "1-1");
+    EXPECT_EQ(info.port, rig_->port());
 }
 
 TEST_P(UsbLinkContract, OpenStartsTheDeviceAfresh) {

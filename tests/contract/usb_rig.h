@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <string>
 
 #include "core/base/scheduler.h"
 #include "core/link/usb_link.h"
@@ -17,6 +18,8 @@ class UsbRig {
     virtual ~UsbRig() = default;
 
     virtual std::unique_ptr<UsbLink> makeLink() = 0;
+    /// The device's place as links tell it.
+    virtual std::string port() const { return "1-1"; }
     /// The scheduler that links are made with.
     virtual Scheduler& scheduler() = 0;
     /// Does something on the links' thread and waits for its end.
