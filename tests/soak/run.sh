@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
-# Runs one soak in full, on a release build, and prints its figures as JSON: run.sh thunderbots-day [HOURS] [SEED]
+# Runs one soak in full, on a release build, and prints its figures as JSON:
+#   run.sh thunderbots-day [HOURS] [SEED]
+#   run.sh unplug [loopback|usbip] [MOMENTS] [SEED]
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 usage() {
-    echo "usage: $0 thunderbots-day [HOURS] [SEED]" >&2
+    echo "usage: $0 thunderbots-day [HOURS] [SEED] | unplug [loopback|usbip] [MOMENTS] [SEED]" >&2
     exit 2
 }
 
 [ $# -ge 1 ] || usage
 case "$1" in
 thunderbots-day) program=thunderbots_day ;;
+unplug) program=unplug ;;
 *) usage ;;
 esac
 shift

@@ -10,12 +10,9 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <vector>
 
-#include <unistd.h>
-
-#include "core/telemetry/store.h"
+#include "tests/soak/memory.h"
 #include "tests/support/session/session_rig.h"
 
 namespace {
@@ -34,15 +31,6 @@ constexpr double kMayGrow_MB = 8;
 constexpr std::int64_t kSendFailedFirst = 41;
 /// Longer than any kick takes that arrives at all.
 constexpr Duration kSettle = 10s;
-
-/// Memory in use, in MB; 0 where the system does not say.
-double resident_MB() {
-    std::ifstream statm("/proc/self/statm");
-    double total = 0;
-    double resident = 0;
-    statm >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 /// What happened to the kicks of one robot.
 struct Kicks {
@@ -132,17 +120,7 @@ void Day::readEvents() {
 }
 
 double Day::memory_MB() {
-    const auto latest = rig_.flows().snapshots.latest().value;
-    double rings_MB = 0;
-    for (const SessionSnapshot& session : latest->sessions) {
-        for (const SignalId key : session.telemetry->keys()) {
-            const TimeSeries& series = *session.telemetry->find(key);
-            const double filled =
-                static_cast<double>(series.total()) / static_cast<double>(series.capacity());
-            rings_MB += static_cast<double>(series.bytes()) * std::min(1.0, filled) / 1e6;
-        }
-    }
-    return resident_MB() - rings_MB;
+    return soak::resident_MB() - soak::rings_MB(*rig_.flows().snapshots.latest().value);
 }
 
 int Day::run() {
@@ -160,7 +138,7 @@ int Day::run() {
         for (std::size_t i = 0; i < looks.size(); ++i) {
             if (number != looks.at(i)) continue;
             memory_MB_.at(i) = memory_MB();
-            resident_MB_.at(i) = resident_MB();
+            resident_MB_.at(i) = soak::resident_MB();
         }
     }
     rig_.advance(kSettle);

@@ -33,7 +33,9 @@ void SessionRig::heartbeat() {
 
 Result<ProvidedUsbLink> SessionRig::makeUsbLink(const LinkUri& uri, Scheduler& scheduler) {
     if (!uri.isSimulated()) return fail(Errc::BadUri, toString(uri));
-    std::unique_ptr<UsbLink> link = std::make_unique<LoopbackUsbLink>(scheduler, sim_.device());
+    std::unique_ptr<UsbLink> link = options_.makeLink
+                                        ? options_.makeLink(sim_.device(), scheduler)
+                                        : std::make_unique<LoopbackUsbLink>(scheduler, sim_.device());
     if (options_.decorate) link = options_.decorate(std::move(link), scheduler);
     auto tapped = std::make_unique<TappedUsbLink>(std::move(link), scheduler);
     tapped->addObserver(this);

@@ -16,6 +16,8 @@ namespace kickstand::testing {
 struct SessionRigOptions {
     thunderbots::sim::ThunderbotsSimOptions sim;
     EngineOptions engine;
+    /// Makes the link to the simulated device; without it that is a loopback.
+    std::function<std::unique_ptr<UsbLink>(UsbDeviceModel& device, Scheduler& scheduler)> makeLink;
     /// Puts something around the link to the simulated device, such as faults.
     std::function<std::unique_ptr<UsbLink>(std::unique_ptr<UsbLink> link, Scheduler& scheduler)> decorate;
     /// Whether every OUT packet that the link took is kept, in packets().
