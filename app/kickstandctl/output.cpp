@@ -86,8 +86,9 @@ void Output::raw(const QString& text) {
     }
 }
 
-void Output::complain(const Failure& failure) {
-    const QByteArray line = Words::tr("kickstandctl: %1\n").arg(failure.text.line()).toUtf8();
+void Output::complain(const Failure& failure, const char* program) {
+    const QByteArray line =
+        QStringLiteral("%1: %2\n").arg(QLatin1String(program), failure.text.line()).toUtf8();
     // Standard error is the last place there is: nothing is left to tell if it is gone.
     (void)!::write(STDERR_FILENO, line.constData(), static_cast<std::size_t>(line.size()));
 }

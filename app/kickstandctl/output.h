@@ -34,7 +34,7 @@ class Output {
     void raw(const QString& text);
 
     /// Standard error: what, and what to do, in one line.
-    static void complain(const Failure& failure);
+    static void complain(const Failure& failure, const char* program = "kickstandctl");
 
   private:
     bool writable();

@@ -42,16 +42,19 @@ struct RobotReport {
     wire::Channels channels;     ///< As it took them at boot.
     bool fpgaConfigured = true;  ///< False: no bitstream; it measures nothing and moves nothing.
 
-    bool driveFresh = false;        ///< False: no block for a second; all that it asked for is off.
-    wire::DriveBlock lastDrive;     ///< The last that came, fresh or not.
-    TimePoint lastDriveTime{};      ///< When it, or a repetition of it, came.
-    std::uint64_t driveBlocks = 0;  ///< How many came, repetitions included.
+    bool driveFresh = false;          ///< False: no block for a second; all that it asked for is off.
+    wire::DriveBlock lastDrive;       ///< The last that came, fresh or not.
+    TimePoint lastDriveTime{};        ///< When it, or a repetition of it, came.
+    std::uint64_t driveBlocks = 0;    ///< How many came, repetitions included.
+    std::uint64_t driveChanges = 0;   ///< Of them, those that said something else than the one before.
+    std::uint64_t driveTimeouts = 0;  ///< How often none came for a second.
 
     std::uint64_t kicks = 0;           ///< Of both kinds.
     std::uint64_t automaticKicks = 0;  ///< Of them, set off by the beam.
     std::deque<KickRecord> lastKicks;  ///< The newest last.
 
     wire::TestMode testMode;                                    ///< What the LEDs are to show now.
+    std::uint64_t testModeMessages = 0;                         ///< How many said so, legal ones.
     std::uint8_t leds = 0;                                      ///< Bit n: LED n.
     std::array<double, wire::kWheelCount> wheelSpeeds{};        ///< Quarter-degrees per 5 ms.
     std::array<std::int64_t, wire::kWheelCount> wheelCounts{};  ///< Quarter-degrees.

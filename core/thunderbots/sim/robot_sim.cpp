@@ -75,6 +75,7 @@ void RobotSim::advance() {
     if (driveFresh_ && now >= driveTime_ + kDriveTimeout) {
         passTo(driveTime_ + kDriveTimeout);
         driveFresh_ = false;
+        ++driveTimeouts_;
         act(wire::brakedBlock());
     }
     passTo(now);
@@ -123,6 +124,7 @@ void RobotSim::takeDrive(ByteView block) {
         ++malformed_;
         return;
     }
+    if (*decoded != lastDrive_) ++driveChanges_;
     std::ranges::copy(block, driveBytes_.begin());
     lastDrive_ = *decoded;
     driveTime_ = now;
@@ -198,6 +200,7 @@ void RobotSim::considerAutokick() {
 void RobotSim::takeTestMode(ByteView payload) {
     if (const auto mode = wire::decodeTestMode(payload)) {
         testMode_ = *mode;
+        ++testModeMessages_;
     } else {
         ++malformed_;
     }
@@ -383,10 +386,13 @@ RobotReport RobotSim::report() {
     report.lastDrive = lastDrive_;
     report.lastDriveTime = driveTime_;
     report.driveBlocks = driveBlocks_;
+    report.driveChanges = driveChanges_;
+    report.driveTimeouts = driveTimeouts_;
     report.kicks = kicks_;
     report.automaticKicks = automaticKicks_;
     report.lastKicks = lastKicks_;
     report.testMode = shownTestMode();
+    report.testModeMessages = testModeMessages_;
     report.leds = up() && fpga_ ? testLeds(report.testMode, body_) : 0;
     for (std::size_t i = 0; i < body_.wheels.size(); ++i) {
         report.wheelSpeeds[i] = body_.wheels[i].speed();

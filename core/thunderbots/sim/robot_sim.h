@@ -142,6 +142,9 @@ class RobotSim {
     std::deque<OutgoingMessage> outgoing_;
 
     std::uint64_t driveBlocks_ = 0;
+    std::uint64_t driveChanges_ = 0;
+    std::uint64_t driveTimeouts_ = 0;
+    std::uint64_t testModeMessages_ = 0;
     std::uint64_t kicks_ = 0;
     std::uint64_t automaticKicks_ = 0;
     std::deque<KickRecord> lastKicks_;

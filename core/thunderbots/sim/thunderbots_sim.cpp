@@ -39,6 +39,7 @@ bool ThunderbotsSim::readFlash(int unit, std::uint32_t address, ByteSpan into) c
 DeviceReport ThunderbotsSim::deviceReport() const {
     DeviceReport report;
     report.attached = world_->usb().attached();
+    report.configured = world_->usb().configured();
     report.malformed = world_->usb().malformed();
     if (const DongleSim* dongle = world_->dongle()) {
         report.status = dongle->status();

@@ -15,6 +15,7 @@ class SimWorld;
 /// What a test may want to know about a simulated dongle or cable.
 struct DeviceReport {
     bool attached = false;
+    bool configured = false;  ///< By a host.
     wire::DongleStatus status;
     wire::Channels channels;       ///< The dongle's; the defaults for a cable.
     std::size_t messagesHeld = 0;  ///< For robots, in the dongle's buffers.

@@ -63,6 +63,24 @@ TEST_F(RobotTest, TheTimeOutActsWhenItFallsDueHoweverLateSomebodyLooks) {
     EXPECT_LT(robot.report().capacitor_V, 150);
 }
 
+TEST_F(RobotTest, CountsWhatItWasTold) {
+    wire::DriveBlock block{.run = true};
+    block.wheels = {50, 0, 0, 0};
+    driveFor(500ms, block);
+    block.wheels = {60, 0, 0, 0};
+    driveFor(500ms, block);
+    scheduler.advance(5s);
+    driveFor(200ms, block);
+    robot.takeMessage(wire::Pipe::TestMode, wire::encodeTestMode({wire::TestClass::Hall, 5}).value());
+    robot.takeMessage(wire::Pipe::TestMode, std::vector<std::uint8_t>{7, 0});
+    const RobotReport report = robot.report();
+    EXPECT_EQ(report.driveBlocks, 12U);
+    EXPECT_EQ(report.driveChanges, 2U);
+    EXPECT_EQ(report.driveTimeouts, 1U);
+    EXPECT_EQ(report.testModeMessages, 1U);
+    EXPECT_EQ(report.malformed, 1U);
+}
+
 TEST_F(RobotTest, ABlockThatTimedOutIsNotRefreshed) {
     wire::DriveBlock block{.run = true};
     block.wheels = {50, 0, 0, 0};

@@ -1,0 +1,105 @@
+#include <array>
+
+#include "app/kickstand-sim/families.h"
+#include "app/kickstand-sim/serving.h"
+#include "app/kickstand-sim/thunderbots_simulation.h"
+#include "app/kickstand-sim/usbip_carrier.h"
+#include "app/kickstand-sim/words.h"
+#include "app/kickstandctl/values.h"
+#include "core/link/link_uri.h"
+
+namespace kickstand::sim {
+namespace {
+
+using thunderbots::sim::ThunderbotsSimOptions;
+
+/// Options of the simulator itself, and what they are called in a link: both mean the same, and are judged in
+/// one place.
+constexpr std::array<std::pair<const char*, const char*>, 5> kSimOptions{{{"--robots", "robots"},
+                                                                          {"--radio", "radio"},
+                                                                          {"--loss", "loss"},
+                                                                          {"--seed", "seed"},
+                                                                          {"--cable", "cable"}}};
+
+ctl::Expected<ThunderbotsSimOptions> readSimulation(const Invocation& invocation) {
+    LinkUri uri{.scheme = "sim", .target = "thunderbots", .options = {}};
+    for (const auto& [option, name] : kSimOptions) {
+        if (invocation.has(option)) uri.options[name] = invocation.text(option);
+    }
+    auto options = thunderbots::sim::parseSimOptions(uri);
+    if (!options) return ctl::refusedInput(options.error());
+    return *options;
+}
+
+ctl::Expected<UsbipServerOptions> readServer(const Invocation& invocation) {
+    UsbipServerOptions options;
+    if (!invocation.has("--usbip"))
+        return ctl::badUsage(Words::tr("Nothing says how the device is to be served."),
+                             Words::tr("Add --usbip: over USB/IP."));
+    if (invocation.has("--port")) {
+        const auto port = ctl::parseWhole(invocation.text("--port"), "--port", 0, UINT16_MAX);
+        if (!port) return tl::unexpected(port.error());
+        options.port = static_cast<std::uint16_t>(*port);
+    }
+    if (invocation.has("--address")) options.address = invocation.text("--address");
+    options.anyAddress = invocation.has("--any-address");
+    return options;
+}
+
+ctl::Outcome run(const Invocation& invocation) {
+    const auto simulated = readSimulation(invocation);
+    if (!simulated) return tl::unexpected(simulated.error());
+    const auto server = readServer(invocation);
+    if (!server) return tl::unexpected(server.error());
+    return serveUntilTold(invocation, [&](Scheduler& scheduler, Log& log) -> ctl::Expected<Served> {
+        auto simulation = std::make_unique<ThunderbotsSimulation>(scheduler, *simulated);
+        auto carrier = UsbipCarrier::serve(scheduler, simulation->device(), *server,
+                                           [&log](const std::string& line) { log.event(line); });
+        if (!carrier) return tl::unexpected(carrier.error());
+        return Served{std::move(simulation), std::move(*carrier)};
+    });
+}
+
+constexpr std::array kOptions{
+    OptionSpec{"--usbip", "",
+               QT_TRANSLATE_NOOP("kickstand_sim", "serve it over USB/IP, under the bus id 1-1")},
+    OptionSpec{"--port", "N",
+               QT_TRANSLATE_NOOP("kickstand_sim", "TCP port; 3240 without it, 0 for any that is free")},
+    OptionSpec{"--address", "A", QT_TRANSLATE_NOOP("kickstand_sim", "where to listen; 127.0.0.1 without it")},
+    OptionSpec{"--any-address", "",
+               QT_TRANSLATE_NOOP(
+                   "kickstand_sim",
+                   "let --address be one that other machines reach: whoever reaches it can use the device")},
+    OptionSpec{
+        "--robots", "LIST",
+        QT_TRANSLATE_NOOP("kickstand_sim", "which robots there are, as in 0,3,5-7; all sixteen without it")},
+    OptionSpec{"--radio", "true|ideal",
+               QT_TRANSLATE_NOOP("kickstand_sim", "the pace of the real radio, or none; true without it")},
+    OptionSpec{"--loss", "P",
+               QT_TRANSLATE_NOOP("kickstand_sim", "which part of the radio packets is lost, 0 to 1")},
+    OptionSpec{
+        "--seed", "N",
+        QT_TRANSLATE_NOOP("kickstand_sim", "of all that happens by chance: the same seed, the same chances")},
+    OptionSpec{"--cable", "N", QT_TRANSLATE_NOOP("kickstand_sim", "no dongle, but this robot on its cable")},
+    OptionSpec{"--control", "PATH",
+               QT_TRANSLATE_NOOP("kickstand_sim",
+                                 "the control socket; $XDG_RUNTIME_DIR/kickstand-sim.sock without it")},
+    OptionSpec{"--json", "", QT_TRANSLATE_NOOP("kickstand_sim", "what is said as JSON, a value a line")},
+};
+
+}  // namespace
+
+CommandSpec thunderbotsCommand() {
+    return {"thunderbots",
+            "",
+            0,
+            QT_TRANSLATE_NOOP("kickstand_sim",
+                              "Serves the simulated Thunderbots dongle, or one robot on a cable."),
+            QT_TRANSLATE_NOOP("kickstand_sim",
+                              "It says how to reach it, and goes on until Ctrl+C, SIGTERM or SIGHUP."),
+            kOptions,
+            "thunderbots --usbip --robots 0,3,5 --loss 0.02",
+            run};
+}
+
+}  // namespace kickstand::sim

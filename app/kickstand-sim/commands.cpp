@@ -1,0 +1,10 @@
+#include "app/kickstand-sim/families.h"
+
+namespace kickstand::sim {
+
+std::span<const CommandSpec> commands() {
+    static const std::vector<CommandSpec> kAll{thunderbotsCommand(), ctlCommand()};
+    return kAll;
+}
+
+}  // namespace kickstand::sim

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/kickstand-sim/command.h"
+
+namespace kickstand::sim {
+
+// The commands, each in its file. commands() joins them.
+CommandSpec thunderbotsCommand();
+CommandSpec ctlCommand();
+
+}  // namespace kickstand::sim
