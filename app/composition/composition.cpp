@@ -4,6 +4,7 @@
 
 #include "app/composition/device_finder.h"
 #include "app/composition/usb_links.h"
+#include "app/composition/usbip_links.h"
 #include "core/link/loopback/loopback_usb_link.h"
 #include "core/thunderbots/sim/thunderbots_sim.h"
 
@@ -13,14 +14,14 @@ namespace {
 using thunderbots::sim::parseSimOptions;
 using thunderbots::sim::ThunderbotsSim;
 
-constexpr char kSchemes[] = "usb:, usb-cable:, sim:thunderbots";
+constexpr char kSchemes[] = "usb:, usb-cable:, usbip:HOST:PORT/BUSID, sim:thunderbots";
 
 class ComposedLinks final : public LinkProvider {
   public:
     Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler& scheduler) override {
         if (auto exists = checkLink(uri); !exists) return fail(std::move(exists.error()));
         if (uri.isSimulated()) return makeSimulated(uri, scheduler);
-        auto link = makeHardwareLink(uri, scheduler);
+        auto link = isUsbip(uri) ? makeUsbipLink(uri, scheduler) : makeHardwareLink(uri, scheduler);
         if (!link) return fail(std::move(link.error()));
         ProvidedUsbLink provided;
         provided.link = std::move(*link);
@@ -54,6 +55,7 @@ std::unique_ptr<LinkProvider> makeLinkProvider() {
 
 Result<void> checkLink(const LinkUri& uri) {
     if (isHardware(uri)) return checkHardwareLink(uri);
+    if (isUsbip(uri)) return checkUsbipLink(uri);
     if (!uri.isSimulated()) return fail(Errc::BadUri, toString(uri), kSchemes);
     if (uri.target != "thunderbots")
         return fail(Errc::Unsupported, toString(uri), "only sim:thunderbots is simulated");

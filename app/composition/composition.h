@@ -7,7 +7,7 @@
 namespace kickstand {
 
 /// The links that the programs are built with: `usb:` and `usb-cable:`, each with `?port=1-2.3` where several
-/// are plugged in, and `sim:thunderbots` with the simulator's options.
+/// are plugged in, `usbip:HOST:PORT/BUSID`, and `sim:thunderbots` with the simulator's options.
 std::unique_ptr<LinkProvider> makeLinkProvider();
 
 /// Whether such a link exists, without making it. Errors: BadUri for a scheme, target or option that is not

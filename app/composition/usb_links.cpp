@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/composition/device_holder.h"
 #include "core/link/usb/libusb_link.h"
 #include "core/link/usb/usb_probe.h"
 #include "core/thunderbots/wire/dongle.h"
@@ -71,7 +72,10 @@ std::vector<FoundDevice> findHardware() {
             LinkUri uri;
             uri.scheme = kind.scheme;
             if (probes->size() > 1) uri.options["port"] = probe.info.port;
-            found.push_back({std::move(uri), probe.info, obstacleOf(probe)});
+            FoundDevice device{std::move(uri), probe.info, obstacleOf(probe)};
+            if (device.obstacle && device.obstacle->code == Errc::ClaimedElsewhere)
+                device.holder = findHolder(probe.info.port);
+            found.push_back(std::move(device));
         }
     }
     return found;

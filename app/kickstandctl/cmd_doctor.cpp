@@ -1,100 +1,104 @@
 #include <algorithm>
 
-#include "app/kickstandctl/diagnosis.h"
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/help.h"
 #include "app/kickstandctl/interruption.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/session_runner.h"
-#include "app/kickstandctl/text.h"
 #include "app/kickstandctl/words.h"
+#include "core/engine/describe_findings.h"
 
 namespace kickstand::ctl {
 namespace {
 
-using State = Finding::State;
+constexpr auto kBehindTheLink = {Check::Radios,   Check::EmergencyStop, Check::Robots,
+                                 Check::Feedback, Check::Battery,       Check::Traffic};
 
-constexpr auto kBehindTheLink = {"radios", "e-stop", "robots", "feedback", "battery", "traffic"};
+/// One line of the answer.
+struct Line {
+    const char* check = "";
+    CheckState state = CheckState::Ok;
+    Description text;
+};
 
-bool isWrong(const Finding& finding) {
-    return finding.state == State::Problem;
+bool isWrong(const Line& line) {
+    return line.state == CheckState::Problem;
 }
 
-void append(std::vector<Finding>& all, std::vector<Finding> more) {
-    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+void append(std::vector<Line>& lines, const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings)
+        lines.push_back({name(finding.check), finding.state, describe(finding)});
 }
 
-Finding program() {
+Line program() {
     return {
-        "program",
-        State::Ok,
+        name(Check::Program),
+        CheckState::Ok,
         {Words::tr("%1 with Qt %2 works.").arg(versionText().trimmed(), QLatin1String(qVersion())), {}, {}}};
 }
 
 /// Opens the link and looks at what is behind it.
-std::vector<Finding> examineLink(SessionRunner& runner, const LinkUri& uri) {
+std::vector<Line> examineLink(SessionRunner& runner, const LinkUri& uri) {
     Outcome outcome = runner.connect(uri);
     if (outcome) outcome = runner.settle();
-    std::vector<Finding> findings;
+    std::vector<Line> lines;
     if (!outcome) {
-        findings.push_back({"link", State::Problem, outcome.error().text});
-        append(findings, notChecked(kBehindTheLink));
-        return findings;
+        lines.push_back({name(Check::Link), CheckState::Problem, outcome.error().text});
+        append(lines, notChecked(kBehindTheLink));
+        return lines;
     }
-    const QString link = QString::fromStdString(toString(uri));
-    findings.push_back(
-        {"link", State::Ok, {Words::tr("%1 runs: %2.").arg(link, deviceText(uri, runner.state())), {}, {}}});
-    append(findings, diagnoseLink(runner.state()));
-    return findings;
+    append(lines, {runningLink(uri, runner.state())});
+    append(lines, diagnoseLink(runner.state()));
+    return lines;
 }
 
-Expected<std::vector<Finding>> examine(const Context& context) {
-    std::vector<Finding> findings{program()};
+Expected<std::vector<Line>> examine(const Context& context) {
+    std::vector<Line> lines{program()};
     SessionRunner runner(context);
     std::optional<LinkUri> uri = context.invocation.link;
     if (!uri || !uri->isSimulated()) {
         const auto devices = runner.discover();
         if (!devices) return tl::unexpected(devices.error());
-        append(findings, diagnoseDevices(*devices, [](const std::string& port) { return findHolder(port); }));
+        append(lines, diagnoseDevices(*devices));
         if (!uri && !devices->empty()) uri = devices->front().uri;
     }
-    if (uri && std::none_of(findings.begin(), findings.end(), isWrong)) {
-        append(findings, examineLink(runner, *uri));
+    if (uri && std::none_of(lines.begin(), lines.end(), isWrong)) {
+        const std::vector<Line> link = examineLink(runner, *uri);
+        lines.insert(lines.end(), link.begin(), link.end());
     } else {
-        append(findings, notChecked({"link"}));
-        append(findings, notChecked(kBehindTheLink));
+        append(lines, notChecked({Check::Link}));
+        append(lines, notChecked(kBehindTheLink));
     }
     if (context.interruption.cause())
         return failed({.code = Errc::Cancelled, .subject = *context.interruption.cause()});
-    return findings;
+    return lines;
 }
 
-void report(const Context& context, const std::vector<Finding>& findings) {
+void report(const Context& context, const std::vector<Line>& lines) {
     QJsonArray checks;
     QList<QStringList> rows;
-    for (const Finding& finding : findings) {
-        const QString state = QLatin1String(name(finding.state));
-        QJsonObject json{{QStringLiteral("check"), QLatin1String(finding.check)},
+    for (const Line& line : lines) {
+        const QString state = QLatin1String(name(line.state));
+        QJsonObject json{{QStringLiteral("check"), QLatin1String(line.check)},
                          {QStringLiteral("state"), state},
-                         {QStringLiteral("what"), finding.text.what},
-                         {QStringLiteral("remedy"), finding.text.remedy}};
-        if (!finding.text.remedyCommand.isEmpty())
-            json[QStringLiteral("command")] = finding.text.remedyCommand;
+                         {QStringLiteral("what"), line.text.what},
+                         {QStringLiteral("remedy"), line.text.remedy}};
+        if (!line.text.remedyCommand.isEmpty()) json[QStringLiteral("command")] = line.text.remedyCommand;
         checks.append(json);
-        rows.append({state, QLatin1String(finding.check), finding.text.line()});
+        rows.append({state, QLatin1String(line.check), line.text.line()});
     }
-    const bool ok = std::none_of(findings.begin(), findings.end(), isWrong);
+    const bool ok = std::none_of(lines.begin(), lines.end(), isWrong);
     context.output.value(QJsonObject{{QStringLiteral("ok"), ok}, {QStringLiteral("checks"), checks}});
     context.output.table(rows);
 }
 
 Outcome doctor(const Context& context) {
-    const auto findings = examine(context);
-    if (!findings) return tl::unexpected(findings.error());
-    report(context, *findings);
-    const auto wrong = std::find_if(findings->begin(), findings->end(), isWrong);
-    if (wrong == findings->end()) return {};
+    const auto lines = examine(context);
+    if (!lines) return tl::unexpected(lines.error());
+    report(context, *lines);
+    const auto wrong = std::find_if(lines->begin(), lines->end(), isWrong);
+    if (wrong == lines->end()) return {};
     return tl::unexpected(Failure{kFailed, wrong->text, QLatin1String(wrong->check)});
 }
 

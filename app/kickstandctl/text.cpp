@@ -6,6 +6,7 @@
 #include "app/kickstandctl/words.h"
 #include "core/engine/describe.h"
 #include "core/engine/describe_facts.h"
+#include "core/engine/describe_findings.h"
 #include "core/thunderbots/wire/readings.h"
 
 namespace kickstand::ctl {
@@ -32,8 +33,7 @@ QString robotsText(thunderbots::RobotMask robots) {
 }
 
 QString robotsPhrase(thunderbots::RobotMask robots) {
-    const bool several = (robots & (robots - 1)) != 0;
-    return (several ? Words::tr("robots %1") : Words::tr("robot %1")).arg(robotsText(robots));
+    return describeRobots(robots);
 }
 
 QString clockText(const Engine& engine, TimePoint time) {

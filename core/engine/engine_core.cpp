@@ -40,8 +40,10 @@ void EngineCore::step() {
         note({EngineNote::Kind::AnswersLost, now, StopReason::None, std::exchange(answersLost_, 0), {}});
     const bool fresh = flows_.heartbeat.fresh(now, options_.heartbeatLimit);
     if (std::exchange(heartbeatFresh_, fresh) != fresh) ++ownVersion_;
-    for (const auto& slot : sessions_)
+    for (const auto& slot : sessions_) {
         slot->session().step(now, fresh);
+        if (slot->readSim(now)) ++ownVersion_;
+    }
     // Sessions latch STOP themselves where a robot or link is lost; the others hear of it here.
     latchChanged();
     publishIfChanged();

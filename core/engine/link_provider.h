@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -13,12 +14,22 @@
 
 namespace kickstand {
 
+/// A program that holds a device open.
+struct DeviceHolder {
+    int pid = 0;
+    std::string name;
+
+    friend bool operator==(const DeviceHolder&, const DeviceHolder&) = default;
+};
+
 /// A device that could be connected to, found without disturbing it.
 struct FoundDevice {
     LinkUri uri;
     UsbDeviceInfo info;
-    std::optional<Error>
-        obstacle;  ///< PermissionDenied or ClaimedElsewhere, where it could not be opened now.
+    /// PermissionDenied or ClaimedElsewhere, where it could not be opened now.
+    std::optional<Error> obstacle{};
+    /// For ClaimedElsewhere: who, as far as the system tells this user.
+    std::optional<DeviceHolder> holder{};
 };
 
 /// A link ready to be opened, with what it stands on.

@@ -76,7 +76,9 @@ struct EngineEvent {
 struct SessionSnapshot {
     SessionId id = 0;
     LinkUri uri;
-    std::vector<SimAction> simActions;  ///< Empty for hardware.
+    std::vector<SimAction> simActions;    ///< Empty for hardware.
+    std::vector<int> simUnits;            ///< The units that actions can be done to.
+    std::vector<SimReading> simReadings;  ///< What the actions' quantities are now, ten times a second.
     SystemSnapshot system;
     std::shared_ptr<const TelemetryStore> telemetry;
 };

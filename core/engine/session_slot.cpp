@@ -1,11 +1,15 @@
 #include "core/engine/session_slot.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
 namespace kickstand {
 namespace {
+
+/// Often enough to be watched by a person.
+constexpr Duration kSimReadEvery = std::chrono::milliseconds(100);
 
 std::optional<Mark> markOf(const thunderbots::Event& event) {
     using Kind = thunderbots::EventKind;
@@ -70,7 +74,22 @@ Result<void> SessionSlot::open(LinkProvider& links, Scheduler& scheduler, StopLa
 
 Result<void> SessionSlot::performSim(const SimPerform& command) {
     if (made_.sim == nullptr) return fail(Errc::Unsupported, command.action);
+    simReadAt_ = {};
     return made_.sim->perform(command.action, command.unit, command.value);
+}
+
+bool SessionSlot::readSim(TimePoint now) {
+    if (made_.sim == nullptr || now - simReadAt_ < kSimReadEvery) return false;
+    simReadAt_ = now;
+    std::vector<SimReading> readings;
+    const std::vector<int> units = made_.sim->units();
+    for (const SimAction& action : made_.sim->actions()) {
+        for (const int unit : action.perUnit ? units : std::vector{-1}) {
+            if (const auto value = made_.sim->value(action.name, unit))
+                readings.push_back({action.name, unit, *value});
+        }
+    }
+    return std::exchange(simReadings_, std::move(readings)) != simReadings_;
 }
 
 void SessionSlot::mark(MarkKind kind, TimePoint time, float value) {
@@ -86,7 +105,11 @@ SessionSnapshot SessionSlot::snapshot() const {
     SessionSnapshot snapshot;
     snapshot.id = id_;
     snapshot.uri = uri_;
-    if (made_.sim != nullptr) snapshot.simActions = made_.sim->actions();
+    if (made_.sim != nullptr) {
+        snapshot.simActions = made_.sim->actions();
+        snapshot.simUnits = made_.sim->units();
+        snapshot.simReadings = simReadings_;
+    }
     snapshot.system = made_.session->snapshot();
     snapshot.telemetry = telemetry_;
     return snapshot;

@@ -24,6 +24,8 @@ class SessionSlot final : public SampleSink {
     SystemSession& session() { return *made_.session; }
     /// Errors: Unsupported where the link is not simulated; SimControl's.
     Result<void> performSim(const SimPerform& command);
+    /// Reads what the simulator's quantities are now, if it is time to. Whether any has changed.
+    bool readSim(TimePoint now);
     /// Marks a moment of the engine's own on the session's time axis.
     void mark(MarkKind kind, TimePoint time, float value = 0);
     SessionSnapshot snapshot() const;
@@ -40,6 +42,8 @@ class SessionSlot final : public SampleSink {
     std::function<void(Answer)> answer_;
     std::shared_ptr<TelemetryStore> telemetry_;
     MadeSession made_;
+    std::vector<SimReading> simReadings_;
+    TimePoint simReadAt_{};
 };
 
 }  // namespace kickstand

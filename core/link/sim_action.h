@@ -15,4 +15,13 @@ struct SimAction {
     friend bool operator==(const SimAction&, const SimAction&) = default;
 };
 
+/// The present value of an action's quantity.
+struct SimReading {
+    std::string action;
+    int unit = -1;  ///< The robot or device; -1 where the action takes none.
+    double value = 0;
+
+    friend bool operator==(const SimReading&, const SimReading&) = default;
+};
+
 }  // namespace kickstand

@@ -16,6 +16,8 @@ class SimControl {
     virtual ~SimControl() = default;
     /// Every action there is.
     virtual std::vector<SimAction> actions() const = 0;
+    /// The numbers of the robots or devices that actions with a unit can be done to.
+    virtual std::vector<int> units() const { return {}; }
     /// Does one. `unit` is the robot or device where the action takes one, -1 for all of them.
     /// Errors: UnknownName, OutOfRange (with the bounds), BadArgument for a unit that is not there.
     virtual Result<void> perform(std::string_view action, int unit, double value) = 0;

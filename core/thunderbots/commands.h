@@ -88,6 +88,12 @@ struct Discharge {
     bool on = true;
 };
 
+/// Forgets what has arrived of these robots' experiment buffers, so that the next experiment begins with none
+/// of it known (protocol 4.6). Nothing is sent.
+struct ClearExperiment {
+    RobotMask robots = 0;
+};
+
 /// Sets the dongle's radio channels (0x0B-0x1A), which takes a new start of the radios. OutOfRange;
 /// Unsupported on a cable. Everything is braked first.
 struct SetChannels {
@@ -97,6 +103,6 @@ struct SetChannels {
 
 /// Any of them.
 using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick,
-                             SetAutokick, SetTestMode, Discharge, SetChannels>;
+                             SetAutokick, SetTestMode, Discharge, ClearExperiment, SetChannels>;
 
 }  // namespace kickstand::thunderbots

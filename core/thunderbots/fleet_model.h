@@ -18,6 +18,8 @@ class FleetModel final : public UsbTapObserver {
 
     /// One thing that happened on the link.
     void observe(const UsbTapRecord& record) override;
+    /// As RobotModel's.
+    void clearExperiment(int robot) { at(robot).clearExperiment(); }
     /// Time has passed: figures over time are brought up to date, and damage that was only counted is told.
     void tick(TimePoint now);
 

@@ -135,6 +135,10 @@ void RobotModel::experimentRejected() {
     ++state_.experiment.rejected;
 }
 
+void RobotModel::clearExperiment() {
+    state_.experiment = ExperimentBuffer{};
+}
+
 void RobotModel::told(const wire::DriveBlock& block, TimePoint time) {
     const wire::DriveBlock before = state_.told.value_or(wire::brakedBlock());
     state_.told = block;
@@ -142,8 +146,10 @@ void RobotModel::told(const wire::DriveBlock& block, TimePoint time) {
     if (block.charge != before.charge) raise(EventKind::Charger, time, block.charge ? 1 : 0);
     if (block.autokickArmed != before.autokickArmed)
         raise(EventKind::AutokickArmed, time, block.autokickArmed ? 1 : 0);
-    if (block.testClass != before.testClass || block.testTarget != before.testTarget)
+    if (block.testClass != before.testClass || block.testTarget != before.testTarget) {
+        state_.blockTestModeAt = time;
         raise(EventKind::TestMode, time, block.testClass, block.testTarget);
+    }
 }
 
 void RobotModel::kickGiven(const wire::KickTimes& times, TimePoint time) {
@@ -156,6 +162,7 @@ void RobotModel::kickGiven(const wire::KickTimes& times, TimePoint time) {
 
 void RobotModel::testModeGiven(const wire::TestMode& mode, TimePoint time) {
     state_.toldTestMode = mode;
+    state_.toldTestModeAt = time;
     raise(EventKind::TestMode, time, static_cast<std::int64_t>(mode.testClass), mode.target);
 }
 

@@ -28,6 +28,8 @@ class RobotModel {
     void indicator(const wire::IndicatorMessage& message, TimePoint time);
     /// An experiment message whose offset is past the last legal one.
     void experimentRejected();
+    /// Forgets what has arrived of the experiment buffer.
+    void clearExperiment();
 
     /// What the link took from the host.
     void told(const wire::DriveBlock& block, TimePoint time);

@@ -55,6 +55,7 @@ class Session {
     void perform(CommandId id, const SetAutokick& command);
     void perform(CommandId id, const SetTestMode& command);
     void perform(CommandId id, const Discharge& command);
+    void perform(CommandId id, const ClearExperiment& command);
     void perform(CommandId id, const SetChannels& command);
 
     /// Does `one` for every robot of the mask that `check` lets pass, and answers with the first error.

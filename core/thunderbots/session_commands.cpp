@@ -215,6 +215,13 @@ void Session::perform(CommandId id, const SetTestMode& command) {
     });
 }
 
+void Session::perform(CommandId id, const ClearExperiment& command) {
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (contains(command.robots, robot)) model_.clearExperiment(robot);
+    }
+    host_.answer(id, {});
+}
+
 Result<void> Session::giveKick(int robot, const wire::KickTimes& times,
                                std::function<void(Result<void>)> done) {
     const auto encoded = wire::encodeKick(times);

@@ -60,7 +60,9 @@ struct RobotState {
 
     std::optional<wire::DriveBlock> told;  ///< The last drive block that the link took, on this connection.
     TimePoint toldAt{};
+    TimePoint blockTestModeAt{};  ///< Since when the drive blocks have asked for the test mode of `told`.
     std::optional<wire::TestMode> toldTestMode;  ///< The last one that went as a message.
+    TimePoint toldTestModeAt{};
     std::uint32_t kicks = 0;                     ///< Kicks given to the dongle.
     std::optional<wire::KickTimes> lastKick;
     TimePoint lastKickAt{};

@@ -1,11 +1,11 @@
-#include "app/kickstandctl/device_holder.h"
+#include "app/composition/device_holder.h"
 
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace kickstand::ctl {
+namespace kickstand {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,7 +40,7 @@ TEST_F(FindHolder, FindsTheProgramThatHasTheDeviceOpen) {
     process("17", "editor", "/tmp/notes");
     process("4242", "soccer", "/dev/bus/usb/001/005");
     process("self", "mirror", "/dev/bus/usb/001/005");
-    EXPECT_EQ(findHolder("1-2.3", root_), (Holder{4242, "soccer"}));
+    EXPECT_EQ(findHolder("1-2.3", root_), (DeviceHolder{4242, "soccer"}));
 }
 
 TEST_F(FindHolder, TellsDevicesApart) {
@@ -63,4 +63,4 @@ TEST_F(FindHolder, GivesUpOnWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace kickstand::ctl
+}  // namespace kickstand

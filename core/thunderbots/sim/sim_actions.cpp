@@ -168,6 +168,14 @@ std::vector<SimAction> SimActions::actions() const {
     return all;
 }
 
+std::vector<int> SimActions::units() const {
+    std::vector<int> units;
+    for (int unit = 0; unit < static_cast<int>(wire::kRobotCount); ++unit) {
+        if (world_.robot(unit)) units.push_back(unit);
+    }
+    return units;
+}
+
 Result<void> SimActions::perform(std::string_view action, int unit, double value) {
     if (const RobotRow* row = findRow(kRobotRows, action)) {
         if (auto checked = check(*row, value); !checked) return checked;

@@ -15,6 +15,7 @@ class SimActions final : public SimControl {
     explicit SimActions(SimWorld& world) : world_(world) {}
 
     std::vector<SimAction> actions() const override;
+    std::vector<int> units() const override;
     Result<void> perform(std::string_view action, int unit, double value) override;
     std::optional<double> value(std::string_view action, int unit) const override;
 

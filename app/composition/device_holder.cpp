@@ -1,11 +1,11 @@
-#include "app/kickstandctl/device_holder.h"
+#include "app/composition/device_holder.h"
 
 #include <charconv>
 #include <fstream>
 
 #include <unistd.h>
 
-namespace kickstand::ctl {
+namespace kickstand {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ bool holds(const fs::path& process, const std::string& node) {
 
 }  // namespace
 
-std::optional<Holder> findHolder(const std::string& port, const fs::path& root) {
+std::optional<DeviceHolder> findHolder(const std::string& port, const fs::path& root) {
     const auto node = nodeOf(port, root);
     if (!node) return std::nullopt;
     std::error_code error;
@@ -59,9 +59,9 @@ std::optional<Holder> findHolder(const std::string& port, const fs::path& root) 
          entry.increment(error)) {
         const auto pid = number(entry->path().filename().string());
         if (!pid || *pid == ::getpid() || !holds(entry->path(), *node)) continue;
-        return Holder{*pid, firstLine(entry->path() / "comm")};
+        return DeviceHolder{*pid, firstLine(entry->path() / "comm")};
     }
     return std::nullopt;
 }
 
-}  // namespace kickstand::ctl
+}  // namespace kickstand
