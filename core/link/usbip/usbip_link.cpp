@@ -23,7 +23,8 @@ constexpr Duration kSetupDeadline = 10s;
 /// How long the server may take over the unlinks of a link that closes.
 constexpr Duration kCloseDeadline = 1s;
 constexpr Duration kClearHaltDeadline = 3s;
-/// A server takes a moment to notice that its last client, this one, has gone.
+/// A server takes a moment to notice that a client has gone: a link that had the device or asked for it this
+/// lately asks again when it is in use.
 constexpr Duration kReleaseTime = 2s;
 constexpr Duration kBusyRetry = 50ms;
 

@@ -61,8 +61,7 @@ void UsbipPresence::looked(bool there) {
 
 bool UsbipPresence::isListed(const std::vector<usbip::Device>& devices) const {
     return std::any_of(devices.begin(), devices.end(), [this](const usbip::Device& device) {
-        return device.busId == address_.busId && device.vendor == match_.vendor &&
-               device.product == match_.product;
+        return device.busId == address_.busId && match_.takes(device.vendor, device.product);
     });
 }
 

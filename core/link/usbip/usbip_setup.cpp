@@ -69,7 +69,7 @@ void UsbipSetup::deviceRead(ByteView data) {
     device_.info.vendor = facts_.vendor;
     device_.info.product = facts_.product;
     device_.info.release = facts_.release;
-    if (facts_.vendor != match_.vendor || facts_.product != match_.product)
+    if (!match_.takes(facts_.vendor, facts_.product))
         return finish(fail(Errc::BadArgument, device_.info.port, "another kind of device"));
     read(kConfigurationType, 0, 0, kConfigurationHeaderBytes, &UsbipSetup::headerRead);
 }
