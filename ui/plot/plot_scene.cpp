@@ -97,6 +97,7 @@ PlotScene::PlotScene(QCustomPlot& plot, PlotState& state)
     new PaintedLayer(plot, "under", painted(&PlotPainter::paintUnder));
     new PaintedLayer(plot, "over", painted(&PlotPainter::paintOver));
     rebuild();
+    plot.installEventFilter(this);
     connect(&plot, &QCustomPlot::beforeReplot, this, &PlotScene::showRanges);
 }
 
@@ -139,6 +140,14 @@ void PlotScene::addArea(int index, bool last) {
 void PlotScene::invalidate() {
     for (SpanPlottable* span : spans_)
         span->invalidate();
+}
+
+bool PlotScene::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        recolour();
+        draw();
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void PlotScene::recolour() {

@@ -20,8 +20,6 @@ class PlotScene final : public QObject {
     void rebuild();
     /// There are other curves now.
     void invalidate();
-    /// The theme's colours have changed.
-    void recolour();
     /// Draws the state as it is now.
     void draw();
 
@@ -32,7 +30,11 @@ class PlotScene final : public QObject {
     /// Columns drawn so far in all areas, for whoever measures.
     std::uint64_t drawnColumns() const;
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    void recolour();
     void addArea(int index, bool last);
     void showRanges();
 

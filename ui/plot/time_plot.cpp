@@ -1,6 +1,5 @@
 #include "ui/plot/time_plot.h"
 
-#include <QEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
@@ -336,13 +335,6 @@ void TimePlot::hideEvent(QHideEvent* event) {
     frames_.stop();
     ranges_.stop();
     QWidget::hideEvent(event);
-}
-
-void TimePlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange || scene_ == nullptr) return;
-    scene_->recolour();
-    scene_->draw();
 }
 
 }  // namespace kickstand::ui
