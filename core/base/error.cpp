@@ -60,6 +60,10 @@ const char* name(Errc code) {
             return "not-discharging";
         case Errc::ReadingsUnknown:
             return "readings-unknown";
+        case Errc::SweepRunning:
+            return "sweep-running";
+        case Errc::NotCharging:
+            return "not-charging";
         case Errc::QueueFull:
             return "queue-full";
         case Errc::HeartbeatStale:

@@ -41,6 +41,8 @@ enum class Errc : std::uint8_t {
     MustPassZero,
     NotDischarging,
     ReadingsUnknown,
+    SweepRunning,
+    NotCharging,
     QueueFull,
     HeartbeatStale,
 };

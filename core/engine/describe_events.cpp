@@ -139,6 +139,24 @@ EventText dischargeEnded(const thunderbots::Event& event) {
     return danger(Event::tr("%1; treat as live").arg(text));
 }
 
+EventText kickMeasured(const thunderbots::Event& event) {
+    const double before_V = static_cast<double>(event.previous) / 1000;
+    const QString voltages = Event::tr("kick measured: capacitor %1 \u2192 %2")
+                                 .arg(before_V, 0, 'f', 0)
+                                 .arg(capacitor(event.value));
+    if (event.code < 0) return information(voltages);
+    return information(Event::tr("%1, charged again in %2 s")
+                           .arg(voltages)
+                           .arg(static_cast<double>(event.code) / 1000, 0, 'f', 1));
+}
+
+EventText sweepEnded(const thunderbots::Event& event) {
+    if (event.code == 0) return information(Event::tr("sweep done, kicks given: %1").arg(event.previous));
+    return warning(Event::tr("sweep ended early, kicks given: %1: %2")
+                       .arg(event.previous)
+                       .arg(reason(event.code, event.text)));
+}
+
 Text highVoltageEvent(const thunderbots::Event& event) {
     const bool on = event.code != 0;
     switch (event.kind) {
@@ -150,6 +168,12 @@ Text highVoltageEvent(const thunderbots::Event& event) {
             if (event.code == static_cast<int>(Errc::KickExpired))
                 return warning(Event::tr("kick dropped: the dongle did not take it within 200 ms"));
             return warning(Event::tr("kick dropped: %1").arg(reason(event.code, event.text)));
+        case EventKind::KickMeasured:
+            return kickMeasured(event);
+        case EventKind::SweepStarted:
+            return information(Event::tr("sweep begun, kicks to give: %1").arg(event.code));
+        case EventKind::SweepEnded:
+            return sweepEnded(event);
         case EventKind::Autokick:
             return information(Event::tr("autokick fired, number %1").arg(event.code));
         case EventKind::AutokickArmed:

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/types.h"
 #include "core/thunderbots/wire/kick.h"
 #include "core/thunderbots/wire/test_mode.h"
@@ -94,6 +95,18 @@ struct ClearExperiment {
     RobotMask robots = 0;
 };
 
+/// Kicks again and again with a growing or shrinking pulse, each time with a charged capacitor. Switches the
+/// charger on, and back to what it was when the sweep ends. Answered when it has begun; the snapshot's
+/// `sweep` and events tell how it goes. Refused with NotArmed, ReadingsUnknown, SweepRunning, and
+/// planSweep()'s errors. While it runs, its robot takes no other kick, autokick or discharge (SweepRunning).
+struct StartSweep {
+    SweepPlan plan;
+};
+
+/// Ends the sweep, and takes its kick back where the dongle does not have it yet. Done as well where none
+/// runs.
+struct StopSweep {};
+
 /// Sets the dongle's radio channels (0x0B-0x1A), which takes a new start of the radios. OutOfRange;
 /// Unsupported on a cable. Everything is braked first.
 struct SetChannels {
@@ -102,7 +115,8 @@ struct SetChannels {
 };
 
 /// Any of them.
-using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick,
-                             SetAutokick, SetTestMode, Discharge, ClearExperiment, SetChannels>;
+using Command =
+    std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick, SetAutokick,
+                 SetTestMode, Discharge, ClearExperiment, StartSweep, StopSweep, SetChannels>;
 
 }  // namespace kickstand::thunderbots

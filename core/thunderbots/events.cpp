@@ -30,6 +30,8 @@ std::string_view name(EventKind kind) {
             return "kick-given";
         case EventKind::KickDropped:
             return "kick-dropped";
+        case EventKind::KickMeasured:
+            return "kick-measured";
         case EventKind::Autokick:
             return "autokick";
         case EventKind::AutokickArmed:
@@ -44,6 +46,10 @@ std::string_view name(EventKind kind) {
             return "discharge-started";
         case EventKind::DischargeEnded:
             return "discharge-ended";
+        case EventKind::SweepStarted:
+            return "sweep-started";
+        case EventKind::SweepEnded:
+            return "sweep-ended";
         case EventKind::ExperimentData:
             return "experiment-data";
         case EventKind::DongleFault:

@@ -18,18 +18,21 @@ enum class EventKind : std::uint8_t {
     EmergencyStop,  ///< code: the new state, previous: the old one.
     Radios,         ///< code: the new state, previous: the old one.
     RobotFound,
-    RobotLost,         ///< value: volts on its capacitor when last known, 0 if below the live mark.
-    BatteryLow,        ///< value: volts; code 1 low, 2 at its end.
-    Charged,           ///< value: volts.
-    KickGiven,         ///< To the dongle. code: width 1 µs, previous: width 2 µs, value: offset µs.
-    KickDropped,       ///< code: the Errc why.
-    Autokick,          ///< code: how many so far.
+    RobotLost,     ///< value: volts on its capacitor when last known, 0 if below the live mark.
+    BatteryLow,    ///< value: volts; code 1 low, 2 at its end.
+    Charged,       ///< value: volts.
+    KickGiven,     ///< To the dongle. code: width 1 µs, previous: width 2 µs, value: offset µs.
+    KickDropped,   ///< code: the Errc why.
+    KickMeasured,  ///< code: recharge ms, -1 if not measured; previous: mV before; value: lowest volts after.
+    Autokick,      ///< code: how many so far.
     AutokickArmed,     ///< code 1 armed, 0 disarmed.
     Charger,           ///< code 1 on, 0 off.
     HighVoltage,       ///< code 1 armed, 0 disarmed.
     TestMode,          ///< code: class, previous: target.
     DischargeStarted,  ///< value: volts.
     DischargeEnded,    ///< value: volts; code: 0 done, otherwise the Errc why it ended early.
+    SweepStarted,      ///< code: how many kicks it will give.
+    SweepEnded,        ///< code: 0 done, otherwise the Errc why it ended early; previous: kicks given.
     ExperimentData,    ///< code: bytes known so far.
     DongleFault,       ///< code: the error-queue code.
     DongleText,        ///< text: what the dongle printed.

@@ -72,6 +72,7 @@ void RobotDriver::armHighVoltage(bool armed) {
     if (armed) return;
     intent_.charger = false;
     intent_.discharging = false;
+    intent_.sweeping = false;
     setAutokick(false, {});
 }
 
@@ -85,6 +86,11 @@ void RobotDriver::setDischarging(bool discharging) {
     if (!discharging) return;
     intent_.charger = false;
     setAutokick(false, {});
+}
+
+void RobotDriver::setSweeping(bool sweeping) {
+    intent_.sweeping = sweeping;
+    if (sweeping) setAutokick(false, {});
 }
 
 void RobotDriver::advance(TimePoint now, bool ramped) {

@@ -31,6 +31,8 @@ class RobotDriver {
     void setAutokick(bool armed, const wire::KickTimes& times);
     void setTestMode(const wire::TestMode& mode) { intent_.driveTestMode = mode; }
     void setDischarging(bool discharging);
+    /// A sweep needs the robot to itself: autokick goes off.
+    void setSweeping(bool sweeping);
 
     /// Lets the ramp go on to `now`. Without a ramp, or towards zero, the wheels follow at once.
     void advance(TimePoint now, bool ramped);

@@ -21,7 +21,8 @@ constexpr Duration kLastBlocksLimit = std::chrono::milliseconds(300);
 Session::Session(Host host, std::unique_ptr<UsbLink> link)
     : host_(std::move(host)),
       link_(std::move(link), host_.scheduler),
-      model_(host_.samples, [this](const Event& event) { modelEvent(event); }),
+      kickLog_(host_.samples, [this](const Event& event) { host_.event(event); }),
+      model_(kickLog_, [this](const Event& event) { modelEvent(event); }),
       controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }) {
     link_.addObserver(&model_);
 }
@@ -48,6 +49,7 @@ bool Session::active() const {
 
 void Session::modelEvent(const Event& event) {
     host_.event(event);
+    if (event.robot >= 0) kickLog_.heard(event, model_.robot(event.robot));
     if (event.kind == EventKind::RobotLost) robotLost(event.robot, event.time);
     if (event.kind == EventKind::RobotFound) {
         driver(event.robot).halt();
@@ -71,6 +73,7 @@ void Session::robotLost(int robot, TimePoint time) {
                           model_.robot(robot).readings.capacitor_V,
                           {}});
     }
+    if (sweeper_.running(robot)) endSweep(model_.isOpen() ? Errc::RobotNotAlive : Errc::Disconnected);
     driver(robot).halt();
     sendBlock(robot);
     // With its radios down a dongle loses all of them at once: that is the link, not a robot.
@@ -86,6 +89,7 @@ void Session::halt() {
 }
 
 void Session::haltDrivers() {
+    if (sweeper_.running()) endSweep(Errc::StopLatched);
     for (int robot = 0; robot < kRobots; ++robot) {
         if (discharger_.running(robot)) {
             discharger_.end(robot);
@@ -100,6 +104,7 @@ void Session::resetConnection() {
     haltDrivers();
     wheelLimit_ = kStartingWheelLimit;
     kickOutstanding_ = false;
+    sweepKickOutstanding_ = false;
 }
 
 void Session::stateChanged() {
@@ -108,6 +113,7 @@ void Session::stateChanged() {
     const LinkState before = std::exchange(lastState_, state);
     if (state == before) return;
     if (before == LinkState::Running) {
+        if (sweeper_.running()) endSweep(Errc::Disconnected);
         resetConnection();
         host_.stop.set(StopReason::LinkLost);
         raise(EventKind::LinkLost);
@@ -125,6 +131,7 @@ void Session::stateChanged() {
 
 void Session::step(TimePoint now, bool heartbeatFresh) {
     model_.tick(now);
+    kickLog_.tick(now);
     if (controller_.state() != LinkState::Running) {
         heartbeatFresh_ = heartbeatFresh;
         return;
@@ -135,6 +142,7 @@ void Session::step(TimePoint now, bool heartbeatFresh) {
     for (int robot = 0; robot < kRobots; ++robot) {
         if (discharger_.running(robot)) stepDischarge(robot, now);
     }
+    if (sweeper_.running()) stepSweep(now);
     if (heartbeatFresh) controller_.stateTransport().keepAliveIfDue();
 }
 
@@ -177,7 +185,7 @@ void Session::stepDischarge(int robot, TimePoint now) {
         case Finding::Pulse:
             if (kickOutstanding_) return;
             discharger_.pulsed(robot, now);
-            giveKick(robot, Discharger::kPulse, [](const Result<void>&) {});
+            giveKick(robot, Discharger::kPulse, std::nullopt, [](const Result<void>&) {});
             return;
         case Finding::Empty:
             endDischarge(robot, 0);
@@ -242,6 +250,9 @@ Snapshot Session::snapshot() const {
     snapshot.channels = model_.channels();
     snapshot.radioVersions = model_.radioVersions();
     snapshot.wheelLimit = wheelLimit_;
+    snapshot.kicks = kickLog_.records();
+    snapshot.charges = kickLog_.charges();
+    snapshot.sweep = sweeper_.progress();
     snapshot.traffic = model_.traffic();
     snapshot.connections = connections_;
     for (int robot = 0; robot < kRobots; ++robot) {

@@ -9,7 +9,9 @@
 #include "core/thunderbots/discharger.h"
 #include "core/thunderbots/dongle_controller.h"
 #include "core/thunderbots/fleet_model.h"
+#include "core/thunderbots/kick_log.h"
 #include "core/thunderbots/robot_driver.h"
+#include "core/thunderbots/sweeper.h"
 
 namespace kickstand::thunderbots {
 
@@ -41,7 +43,7 @@ class Session {
     void shutdown(std::function<void()> done);
 
     /// Rises whenever snapshot() would show something else.
-    std::uint64_t version() const { return model_.version() + version_; }
+    std::uint64_t version() const { return model_.version() + kickLog_.version() + version_; }
     Snapshot snapshot() const;
 
   private:
@@ -56,6 +58,8 @@ class Session {
     void perform(CommandId id, const SetTestMode& command);
     void perform(CommandId id, const Discharge& command);
     void perform(CommandId id, const ClearExperiment& command);
+    void perform(CommandId id, const StartSweep& command);
+    void perform(CommandId id, const StopSweep& command);
     void perform(CommandId id, const SetChannels& command);
 
     /// Does `one` for every robot of the mask that `check` lets pass, and answers with the first error.
@@ -64,7 +68,11 @@ class Session {
     Result<void> checkRunning() const;
     Result<void> checkMayMove(int robot) const;
     Result<void> checkHighVoltage(int robot) const;
-    Result<void> giveKick(int robot, const wire::KickTimes& times, std::function<void(Result<void>)> done);
+    Result<void> checkNotSweeping(int robot) const;
+    Result<void> checkSweep(const SweepPlan& plan) const;
+    /// `cause`: what it is to be logged as; none for a pulse of a discharge.
+    Result<void> giveKick(int robot, const wire::KickTimes& times, std::optional<KickCause> cause,
+                          std::function<void(Result<void>)> done);
     void modelEvent(const Event& event);
     void stateChanged();
     void robotLost(int robot, TimePoint time);
@@ -74,6 +82,9 @@ class Session {
     void sendRamps(TimePoint now);
     void stepDischarge(int robot, TimePoint now);
     void endDischarge(int robot, std::int64_t code);
+    void stepSweep(TimePoint now);
+    void giveSweepKick(TimePoint now);
+    void endSweep(std::optional<Errc> why);
     void haltDrivers();
     void resetConnection();
     void close();
@@ -84,12 +95,15 @@ class Session {
 
     Host host_;
     TappedUsbLink link_;
+    KickLog kickLog_;
     FleetModel model_;
     DongleController controller_;
     std::array<RobotDriver, kRobots> drivers_;
     Discharger discharger_;
+    Sweeper sweeper_;
     int wheelLimit_ = kStartingWheelLimit;
     bool kickOutstanding_ = false;
+    bool sweepKickOutstanding_ = false;
     bool heartbeatFresh_ = false;
     bool restarting_ = false;  ///< Braking for a new start of the radios: takes no commands.
     bool ending_ = false;      ///< shutdown() has been called: nothing begins any more.

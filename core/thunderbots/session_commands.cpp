@@ -154,6 +154,7 @@ void Session::perform(CommandId id, const ArmHighVoltage& command) {
             const bool before = driver(robot).intent().highVoltageArmed;
             if (!command.armed && discharger_.running(robot))
                 endDischarge(robot, static_cast<std::int64_t>(Errc::NotArmed));
+            if (!command.armed && sweeper_.running(robot)) endSweep(Errc::NotArmed);
             driver(robot).armHighVoltage(command.armed);
             if (before != command.armed) raise(EventKind::HighVoltage, robot, command.armed ? 1 : 0);
             return {};
@@ -178,6 +179,7 @@ void Session::perform(CommandId id, const SetAutokick& command) {
         [this, &command](int robot) -> Result<void> {
             if (!command.armed) return {};
             if (auto may = checkHighVoltage(robot); !may) return may;
+            if (auto free = checkNotSweeping(robot); !free) return free;
             if (wire::isNoAutokick(command.times) || isEmpty(command.times))
                 return fail(about(robot, Errc::NoEncoding, "autokick"));
             if (const auto encoded = wire::encodeKick(command.times); !encoded)
@@ -187,6 +189,7 @@ void Session::perform(CommandId id, const SetAutokick& command) {
         [this, &command](int robot) -> Result<void> {
             if (command.armed && discharger_.running(robot))
                 endDischarge(robot, static_cast<std::int64_t>(Errc::Cancelled));
+            if (command.armed) kickLog_.autokickSet(robot, command.times);
             driver(robot).setAutokick(command.armed, command.times);
             return {};
         });
@@ -222,7 +225,7 @@ void Session::perform(CommandId id, const ClearExperiment& command) {
     host_.answer(id, {});
 }
 
-Result<void> Session::giveKick(int robot, const wire::KickTimes& times,
+Result<void> Session::giveKick(int robot, const wire::KickTimes& times, std::optional<KickCause> cause,
                                std::function<void(Result<void>)> done) {
     const auto encoded = wire::encodeKick(times);
     if (!encoded) return fail(wire::toError(encoded.error(), "kick"));
@@ -232,6 +235,7 @@ Result<void> Session::giveKick(int robot, const wire::KickTimes& times,
     message.payload.append(*encoded);
     message.expires = host_.scheduler.now() + kKickExpiry;
     kickOutstanding_ = true;
+    kickLog_.expect(cause);
     auto pushed =
         controller_.messages().push(message, [this, robot, done = std::move(done)](Result<void> result) {
             kickOutstanding_ = false;
@@ -248,6 +252,7 @@ void Session::perform(CommandId id, const Kick& command) {
         if (!isRobot(command.robot)) return fail(noSuchRobot(command.robot));
         if (auto running = checkRunning(); !running) return running;
         if (auto may = checkHighVoltage(command.robot); !may) return may;
+        if (auto free = checkNotSweeping(command.robot); !free) return free;
         if (isEmpty(command.times)) return fail(about(command.robot, Errc::NoEncoding, "kick"));
         if (kickOutstanding_) return fail(about(command.robot, Errc::KickOutstanding));
         return {};
@@ -256,7 +261,7 @@ void Session::perform(CommandId id, const Kick& command) {
         host_.answer(id, refusal);
         return;
     }
-    auto given = giveKick(command.robot, command.times,
+    auto given = giveKick(command.robot, command.times, KickCause::Asked,
                           [this, id](Result<void> result) { host_.answer(id, std::move(result)); });
     if (!given) host_.answer(id, std::move(given));
 }
@@ -265,6 +270,7 @@ void Session::perform(CommandId id, const Discharge& command) {
     Result<void> answer = checkRunning();
     if (!isRobot(command.robot)) answer = fail(noSuchRobot(command.robot));
     if (answer && command.on) answer = checkHighVoltage(command.robot);
+    if (answer && command.on) answer = checkNotSweeping(command.robot);
     if (!answer) {
         host_.answer(id, std::move(answer));
         return;

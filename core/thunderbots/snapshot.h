@@ -7,6 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/time.h"
 #include "core/link/usb_types.h"
+#include "core/thunderbots/kick_record.h"
+#include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/types.h"
 #include "core/thunderbots/wire/dongle.h"
 #include "core/thunderbots/wire/drive.h"
@@ -63,7 +65,7 @@ struct RobotState {
     TimePoint blockTestModeAt{};  ///< Since when the drive blocks have asked for the test mode of `told`.
     std::optional<wire::TestMode> toldTestMode;  ///< The last one that went as a message.
     TimePoint toldTestModeAt{};
-    std::uint32_t kicks = 0;                     ///< Kicks given to the dongle.
+    std::uint32_t kicks = 0;  ///< Kicks given to the dongle.
     std::optional<wire::KickTimes> lastKick;
     TimePoint lastKickAt{};
     std::uint32_t autokicks = 0;
@@ -84,9 +86,12 @@ struct RobotIntent {
     wire::TestMode driveTestMode;
     bool mustPassZero = true;  ///< Held inputs are refused until they have been at zero.
     bool discharging = false;
+    bool sweeping = false;
 
-    /// Whether it moves, charges, is armed, or discharges.
-    bool active() const { return run || dribbler || highVoltageArmed || charger || autokick || discharging; }
+    /// Whether it moves, charges, is armed, discharges or sweeps.
+    bool active() const {
+        return run || dribbler || highVoltageArmed || charger || autokick || discharging || sweeping;
+    }
 };
 
 /// How much passed on the link and how much of it was damaged, since the session began.
@@ -113,6 +118,10 @@ struct Snapshot {
     int wheelLimit = kStartingWheelLimit;
     std::array<RobotState, kRobots> robots;
     std::array<RobotIntent, kRobots> intents;
+    /// The newest kicks of this session, oldest first; never null, immutable.
+    std::shared_ptr<const KickRecords> kicks = std::make_shared<const KickRecords>();
+    std::array<ChargeRecord, kRobots> charges;
+    std::optional<SweepProgress> sweep;  ///< The one that runs, or the last one that did.
     TrafficCounters traffic;
     std::uint64_t connections = 0;  ///< How often the link has come to run.
 

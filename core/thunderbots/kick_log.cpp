@@ -1,0 +1,223 @@
+#include "core/thunderbots/kick_log.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kickstand::thunderbots {
+namespace {
+
+/// Recent looks back this far at least, and twice as far at most. A robot's report of an autokick comes well
+/// within it.
+constexpr Duration kRecentSpan = std::chrono::seconds(1);
+
+bool isCapacitor(SignalId signal) {
+    return signal.signal == static_cast<std::uint16_t>(Signal::Capacitor_V) && signal.unit < kRobots;
+}
+
+}  // namespace
+
+void KickLog::Recent::restart(TimePoint time, double volts) {
+    *this = {time, volts, volts, volts, volts};
+}
+
+void KickLog::Recent::add(TimePoint time, double volts) {
+    roll(time);
+    last_V = volts;
+    lowest_V = volts >= peak_V() ? volts : std::min(lowest_V, volts);
+    newer_V = std::max(newer_V, volts);
+}
+
+void KickLog::Recent::roll(TimePoint time) {
+    const Duration since = time - began;
+    if (since < kRecentSpan) return;
+    const double before_V = peak_V();
+    // A reading holds until the next one, so the last one belongs to every span since.
+    older_V = since < 2 * kRecentSpan ? newer_V : last_V;
+    newer_V = last_V;
+    began = time - since % kRecentSpan;
+    if (peak_V() < before_V) lowest_V = last_V;
+}
+
+KickLog::KickLog(SampleSink& onward, std::function<void(const Event&)> event)
+    : onward_(onward), event_(std::move(event)) {
+    records_.reserve(kMost);
+}
+
+void KickLog::sample(SignalId signal, TimePoint time, float value) {
+    onward_.sample(signal, time, value);
+    if (isCapacitor(signal)) reading(signal.unit, static_cast<double>(value), time);
+}
+
+void KickLog::gap(SignalId signal, TimePoint time) {
+    onward_.gap(signal, time);
+    if (isCapacitor(signal)) unknown(signal.unit, time);
+}
+
+void KickLog::heard(const Event& event, const RobotState& state) {
+    if (event.robot < 0) return;
+    ChargeRecord& charge = chargeOf(event.robot);
+    const ChargeRecord before = charge;
+    switch (event.kind) {
+        case EventKind::KickGiven:
+            begin(event.robot, KickCause::Asked, state.lastKick, event.time);
+            break;
+        case EventKind::Autokick:
+            begin(event.robot, KickCause::Autokick, at(event.robot).autokick, event.time);
+            break;
+        case EventKind::Charger:
+            charge = {};
+            if (event.code != 0 && at(event.robot).known && !state.readings.charged)
+                charge.since = event.time;
+            break;
+        case EventKind::Charged:
+            if (charge.since) charge = {std::nullopt, event.time - *charge.since};
+            if (auto& open = at(event.robot).open;
+                open && recordOf(*open).measure == KickMeasure::Recharging && !open->crossedAt)
+                open->crossedAt = event.time;
+            break;
+        default:
+            return;
+    }
+    if (charge != before) ++version_;
+}
+
+void KickLog::begin(int robot, KickCause cause, const std::optional<wire::KickTimes>& times, TimePoint time) {
+    Robot& known = at(robot);
+    if (known.open) finish(robot, KickMeasure::Overtaken, time);
+    // What is in between says nothing about how long charging takes from the beginning.
+    chargeOf(robot).since.reset();
+    const bool autokick = cause == KickCause::Autokick;
+    if (!autokick && !expected_) {
+        known.recent.restart(time, known.recent.last_V);
+        return;
+    }
+    KickRecord record;
+    record.number = ++given_;
+    record.robot = robot;
+    record.cause = autokick ? cause : *expected_;
+    record.time = time;
+    record.times = times;
+    if (known.known) {
+        known.recent.roll(time);
+        record.before_V = autokick ? known.recent.peak_V() : known.recent.last_V;
+    } else {
+        record.measure = KickMeasure::Lost;
+    }
+    if (records_.size() == kMost) {
+        for (Robot& other : robots_) {
+            // The kick whose record gives way is no longer measured.
+            if (other.open && other.open->number == records_.front().number) other.open.reset();
+        }
+        records_.erase(records_.begin());
+    }
+    records_.push_back(record);
+    if (known.known) {
+        known.open = Open{record.number, known.recent.last_V, {}, {}};
+        if (autokick) fall(records_.back(), *known.open, known.recent.lowest_V, time);
+        known.recent.restart(time, known.recent.last_V);
+    }
+    publish();
+}
+
+KickRecord& KickLog::recordOf(const Open& open) {
+    // They are numbered without gaps, and one that is still open has not given way.
+    return records_[static_cast<std::size_t>(open.number - records_.front().number)];
+}
+
+void KickLog::reading(int robot, double volts, TimePoint time) {
+    Robot& known = at(robot);
+    if (known.known) {
+        known.recent.add(time, volts);
+    } else {
+        known.known = true;
+        known.recent.restart(time, volts);
+    }
+    if (!known.open) return;
+    KickRecord& record = recordOf(*known.open);
+    if (record.measure == KickMeasure::Waiting) {
+        // The charger may go on until the kick comes.
+        record.before_V = std::max(*record.before_V, volts);
+        known.open->lowest_V = std::min(known.open->lowest_V, volts);
+        fall(record, *known.open, volts, time);
+        publish();
+        return;
+    }
+    if (volts < *record.after_V) {
+        record.after_V = volts;
+        known.open->crossedAt.reset();
+        publish();
+    } else {
+        // Of a small drop half has to be regained: the next reading may be as high by noise alone.
+        const double target_V =
+            std::max(kRecharged * *record.before_V, (*record.before_V + *record.after_V) / 2);
+        if (volts >= target_V && !known.open->crossedAt) known.open->crossedAt = time;
+    }
+    advance(robot, time);
+}
+
+void KickLog::fall(KickRecord& record, Open& open, double volts, TimePoint time) {
+    if (*record.before_V - volts < kLeastDrop_V) return;
+    record.measure = KickMeasure::Recharging;
+    record.after_V = volts;
+    open.fellAt = time;
+}
+
+void KickLog::unknown(int robot, TimePoint time) {
+    Robot& known = at(robot);
+    known.known = false;
+    if (chargeOf(robot).since) ++version_;
+    chargeOf(robot).since.reset();
+    if (!known.open) return;
+    KickRecord& record = recordOf(*known.open);
+    // A lower reading may have been missed.
+    if (time - known.open->fellAt < kSettle) record.after_V.reset();
+    finish(robot, KickMeasure::Lost, time);
+}
+
+void KickLog::advance(int robot, TimePoint time) {
+    const Robot& known = at(robot);
+    if (!known.open) return;
+    KickRecord& record = recordOf(*known.open);
+    if (record.measure == KickMeasure::Waiting) {
+        if (time - record.time < kDropLimit) return;
+        record.after_V = known.open->lowest_V;
+        finish(robot, KickMeasure::NoDrop, time);
+        return;
+    }
+    if (known.open->crossedAt && time - known.open->fellAt >= kSettle) {
+        record.recharge = *known.open->crossedAt - record.time;
+        finish(robot, KickMeasure::Recharged, time);
+    } else if (time - record.time >= kRechargeLimit) {
+        finish(robot, KickMeasure::NotRecharged, time);
+    }
+}
+
+void KickLog::tick(TimePoint now) {
+    for (int robot = 0; robot < kRobots; ++robot)
+        advance(robot, now);
+}
+
+void KickLog::finish(int robot, KickMeasure how, TimePoint time) {
+    KickRecord& record = recordOf(*at(robot).open);
+    record.measure = how;
+    at(robot).open.reset();
+    publish();
+    if (!record.after_V) return;
+    const std::int64_t recharge_ms =
+        record.recharge ? std::chrono::duration_cast<std::chrono::milliseconds>(*record.recharge).count()
+                        : -1;
+    event_(Event{EventKind::KickMeasured,
+                 time,
+                 robot,
+                 recharge_ms,
+                 static_cast<std::int64_t>(*record.before_V * 1000),
+                 *record.after_V,
+                 {}});
+}
+
+void KickLog::publish() {
+    shown_ = std::make_shared<const KickRecords>(records_);
+    ++version_;
+}
+
+}  // namespace kickstand::thunderbots
