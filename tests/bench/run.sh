@@ -5,7 +5,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-programs=(thunderbots/bench_engine thunderbots/bench_decode telemetry/bench_telemetry ui/bench_start)
+programs=(thunderbots/bench_engine thunderbots/bench_engine_usbip thunderbots/bench_decode telemetry/bench_telemetry
+    ui/bench_start)
+# Needs umockdev, without which there is no bus to emulate.
+if pkg-config --exists umockdev-1.0 && command -v umockdev-wrapper >/dev/null; then
+    programs+=(thunderbots/bench_engine_umockdev)
+fi
 
 build=build/release-bench
 log=$build/build.log
@@ -22,7 +27,9 @@ fi
 
 separator='{'
 for program in "${programs[@]}"; do
-    figures=$("$build/tests/bench/$program")
+    launcher=()
+    [ "${program##*_}" != umockdev ] || launcher=(env TMPDIR=/tmp umockdev-wrapper)
+    figures=$("${launcher[@]}" "$build/tests/bench/$program")
     printf '%s"%s": %s' "$separator" "${program##*/bench_}" "$figures"
     separator=$',\n'
 done
