@@ -21,7 +21,8 @@ constexpr std::size_t kMaxWords = 3;
 /// One ctl command, with the simulator that it is for.
 class Ctl {
   public:
-    Ctl(ctl::Output& output, std::span<const std::string> words) : output_(output), words_(words) {}
+    Ctl(ctl::Output& output, ctl::Interruption& interruption, std::span<const std::string> words)
+        : output_(output), words_(words), client_(interruption) {}
 
     ctl::Outcome run(const std::string& path) {
         if (auto connected = client_.connect(path); !connected) return connected;
@@ -137,7 +138,7 @@ ctl::Outcome run(const Invocation& invocation) {
         invocation.has("--control") ? std::string(invocation.text("--control")) : defaultControlPath().path;
     ctl::Interruption interruption;
     ctl::Output output(invocation.has("--json"), interruption);
-    ctl::Outcome outcome = Ctl(output, invocation.operands).run(path);
+    ctl::Outcome outcome = Ctl(output, interruption, invocation.operands).run(path);
     if (!outcome && !output.hasValue()) {
         QJsonObject json = toJson(outcome.error());
         json.remove(QStringLiteral("ok"));

@@ -13,6 +13,7 @@ namespace {
 constexpr Duration kConnectLimit = std::chrono::seconds(5);
 /// A simulator that serves a busy link answers within milliseconds.
 constexpr Duration kAnswerLimit = std::chrono::seconds(10);
+constexpr Duration kLook = std::chrono::milliseconds(50);
 
 ctl::Failure explain(const Error& error, const std::string& path) {
     ctl::Failure failure = ctl::failed(error).value();
@@ -31,8 +32,6 @@ tl::unexpected<ctl::Failure> lost(Errc code, const QString& what) {
 
 }  // namespace
 
-ControlClient::ControlClient() = default;
-
 ControlClient::~ControlClient() {
     runOn(scheduler_, [this] {
         stream_.reset();
@@ -48,9 +47,22 @@ ctl::Outcome ControlClient::connect(const std::string& path) {
         });
     });
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return connected_.has_value(); });
+    if (!waitFor(
+            lock, [this] { return connected_.has_value(); }, 2 * kConnectLimit))
+        return lost(Errc::Cancelled, Words::tr("The simulator was not reached."));
     if (!*connected_) return tl::unexpected(explain(connected_->error(), path));
     return {};
+}
+
+bool ControlClient::waitFor(std::unique_lock<std::mutex>& lock, const std::function<bool()>& ready,
+                            Duration limit) {
+    const TimePoint end = scheduler_.now() + limit;
+    while (!ready()) {
+        interruption_.wait(Duration::zero());
+        if (interruption_.cause() || scheduler_.now() >= end) return false;
+        changed_.wait_for(lock, kLook);
+    }
+    return true;
 }
 
 void ControlClient::connected(Result<std::unique_ptr<ByteStream>> stream) {
@@ -86,8 +98,8 @@ ctl::Expected<QJsonObject> ControlClient::ask(const QJsonObject& request) {
     std::string answer;
     {
         std::unique_lock lock(mutex_);
-        const bool came =
-            changed_.wait_for(lock, kAnswerLimit, [this] { return ended_ || !answers_.empty(); });
+        const bool came = waitFor(
+            lock, [this] { return ended_ || !answers_.empty(); }, kAnswerLimit);
         if (!came) return lost(Errc::TimedOut, Words::tr("The simulator does not answer."));
         if (answers_.empty()) return lost(Errc::Disconnected, Words::tr("The simulator hung up."));
         answer = std::move(answers_.front());

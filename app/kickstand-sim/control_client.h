@@ -3,6 +3,7 @@
 #include <QJsonObject>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "app/kickstand-sim/line_reader.h"
 #include "app/kickstandctl/failure.h"
+#include "app/kickstandctl/interruption.h"
 #include "core/base/thread_scheduler.h"
 #include "core/link/socket/sockets.h"
 
@@ -21,7 +23,8 @@ class ControlClient {
     /// The most that an answer may be long, in bytes.
     static constexpr std::size_t kMaxAnswerBytes = std::size_t{4} << 20;
 
-    ControlClient();
+    /// `interruption` ends every wait, and must outlive it.
+    explicit ControlClient(ctl::Interruption& interruption) : interruption_(interruption) {}
     ~ControlClient();
     ControlClient(const ControlClient&) = delete;
     ControlClient& operator=(const ControlClient&) = delete;
@@ -32,10 +35,14 @@ class ControlClient {
     ctl::Expected<QJsonObject> ask(const QJsonObject& request);
 
   private:
+    /// Waits until `ready` holds, which is asked under the lock. Not longer than `limit`, and not when
+    /// somebody wants the program to end.
+    bool waitFor(std::unique_lock<std::mutex>& lock, const std::function<bool()>& ready, Duration limit);
     void connected(Result<std::unique_ptr<ByteStream>> stream);
     void received(ByteView bytes);
     void ended();
 
+    ctl::Interruption& interruption_;
     ThreadScheduler scheduler_;
     // On the scheduler's thread.
     std::unique_ptr<Sockets> sockets_;

@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include "app/kickstandctl/interruption.h"
-#include "app/kickstandctl/words.h"
 
 namespace kickstand::ctl {
 namespace {
