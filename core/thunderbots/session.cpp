@@ -14,7 +14,6 @@ constexpr Duration kSilenceLimit = std::chrono::milliseconds(1800);
 namespace {
 
 /// A dongle that has not taken the last blocks by then takes none: its own dead-man brakes the robots.
-constexpr Duration kLastBlocksLimit = std::chrono::milliseconds(300);
 
 }  // namespace
 
@@ -29,6 +28,7 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
 
 Session::~Session() {
     host_.scheduler.cancel(shutdownDeadline_);
+    host_.scheduler.cancel(restartDeadline_);
 }
 
 void Session::start() {
@@ -171,9 +171,11 @@ void Session::sendRamps(TimePoint now) {
 
 void Session::sendBlock(int robot) {
     if (controller_.state() != LinkState::Running) return;
-    // The driver gives nothing that the wire has no room for: speeds are within the limit and times come
-    // encoded.
-    static_cast<void>(controller_.stateTransport().set(robot, driver(robot).block()));
+    if (controller_.stateTransport().set(robot, driver(robot).block())) return;
+    // Every command is checked against the wire before it is taken, so this is a fault of this program. A
+    // robot that cannot be told what it should do is told to stop, never left with what it was told before.
+    driver(robot).halt();
+    static_cast<void>(controller_.stateTransport().set(robot, wire::brakedBlock()));
 }
 
 void Session::stepDischarge(int robot, TimePoint now) {

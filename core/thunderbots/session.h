@@ -47,6 +47,9 @@ class Session {
     Snapshot snapshot() const;
 
   private:
+    /// How long braked blocks are waited for before a link is given up or its radios begin anew.
+    static constexpr Duration kLastBlocksLimit = std::chrono::milliseconds(300);
+
     void perform(CommandId id, const SetWheels& command);
     void perform(CommandId id, const Brake& command);
     void perform(CommandId id, const SetWheelLimit& command);
@@ -109,6 +112,7 @@ class Session {
     bool ending_ = false;      ///< shutdown() has been called: nothing begins any more.
     std::function<void()> shutDown_;
     TimerId shutdownDeadline_ = 0;
+    TimerId restartDeadline_ = 0;
     std::uint64_t connections_ = 0;
     std::uint64_t version_ = 0;
     LinkState lastState_ = LinkState::Idle;

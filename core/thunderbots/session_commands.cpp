@@ -197,16 +197,23 @@ void Session::perform(CommandId id, const SetAutokick& command) {
 
 void Session::perform(CommandId id, const SetTestMode& command) {
     const auto encoded = wire::encodeTestMode(command.mode);
-    const auto check = [this, &command, &encoded](int robot) -> Result<void> {
+    const bool inBlock = command.way == TestModeWay::DriveBlock;
+    wire::DriveBlock block;
+    block.testClass = static_cast<std::uint8_t>(command.mode.testClass);
+    block.testTarget = command.mode.target;
+    const auto fits = wire::encodeDrive(block);
+    const auto check = [this, inBlock, &encoded, &fits](int robot) -> Result<void> {
         if (!encoded) return fail(wire::toError(encoded.error(), "test mode"));
-        // Nothing but braked blocks goes while STOP is latched; a message is shown and moves nothing.
-        if (command.way == TestModeWay::DriveBlock && host_.stop.isSet())
-            return fail(about(robot, Errc::StopLatched));
+        // A message is shown and moves nothing. A block is a keep-alive too: none but braked ones go while
+        // STOP is latched or nobody is there.
+        if (inBlock && !fits) return fail(wire::toError(fits.error(), "test mode"));
+        if (inBlock && host_.stop.isSet()) return fail(about(robot, Errc::StopLatched));
+        if (inBlock && !heartbeatFresh_) return fail(about(robot, Errc::HeartbeatStale));
         if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
         return {};
     };
-    forRobots(id, command.robots, check, [this, &command, &encoded](int robot) -> Result<void> {
-        if (command.way == TestModeWay::DriveBlock) {
+    forRobots(id, command.robots, check, [this, inBlock, &command, &encoded](int robot) -> Result<void> {
+        if (inBlock) {
             driver(robot).setTestMode(command.mode);
             return {};
         }
@@ -308,7 +315,14 @@ void Session::perform(CommandId id, const SetChannels& command) {
     }
     halt();
     restarting_ = true;
-    controller_.stateTransport().whenDrained([this, id, channels](bool taken) {
+    restartDeadline_ = host_.scheduler.callAfter(kLastBlocksLimit, [this, id] {
+        restartDeadline_ = 0;
+        restarting_ = false;
+        host_.answer(id, fail(Errc::TimedOut, "channels"));
+    });
+    controller_.stateTransport().whenDrained([this, id, channels, deadline = restartDeadline_](bool taken) {
+        if (restartDeadline_ != deadline) return;
+        host_.scheduler.cancel(std::exchange(restartDeadline_, 0));
         restarting_ = false;
         if (!taken || ending_) {
             host_.answer(id, fail(Errc::Disconnected));

@@ -94,7 +94,8 @@ Command anyCommand(std::mt19937_64& random) {
             return SetAutokick{robots, pick(2) == 0, {true, true, time, 0, 0}};
         case 9:
             return SetTestMode{robots,
-                               {static_cast<wire::TestClass>(pick(7)), static_cast<std::uint8_t>(pick(6))},
+                               {static_cast<wire::TestClass>(pick(7)),
+                                static_cast<std::uint8_t>(pick(3) == 0 ? pick(256) : pick(6))},
                                pick(2) == 0 ? TestModeWay::DriveBlock : TestModeWay::Message};
         case 10:
             return Discharge{pick(5), pick(2) == 0};
@@ -284,6 +285,37 @@ TEST(BadLink, ARadioThatBreaksDownIsNamedAndBrakesEverything) {
     EXPECT_EQ(bad.rig->flows().stop.reason(), StopReason::LinkLost);
 }
 
+TEST(BadLink, WhateverWasGivenABrakeReachesTheWire) {
+    std::mt19937_64 random(5);
+    BadRig good;
+    ASSERT_TRUE(good.connect());
+    for (int round = 0; round < 300; ++round) {
+        for (int i = 0; i < 5; ++i)
+            good.rig->give(anyCommand(random));
+        good.rig->advance(20ms);
+        good.rig->forgetPackets();
+        ASSERT_TRUE(good.rig->ask(Brake{kRobotsThere})) << "round " << round;
+        good.rig->advance(20ms);
+        const Snapshot state = good.rig->state();
+        for (int robot = 0; robot < kRobots; ++robot) {
+            const RobotState& one = state.robots[static_cast<std::size_t>(robot)];
+            EXPECT_FALSE(one.told && one.told->run) << "robot " << robot << ", round " << round;
+        }
+        good.rig->forget();
+    }
+}
+
+TEST(BadLink, ATestModeThatNoDriveBlockCanHoldIsRefused) {
+    BadRig good;
+    ASSERT_TRUE(good.connect());
+    for (const wire::TestClass testClass :
+         {wire::TestClass::None, wire::TestClass::Lamp, wire::TestClass::Charger})
+        EXPECT_EQ(good.rig->refusal(SetTestMode{kRobotsThere, {testClass, 8}, TestModeWay::DriveBlock}),
+                  Errc::OutOfRange);
+    EXPECT_TRUE(
+        good.rig->ask(SetTestMode{kRobotsThere, {wire::TestClass::Lamp, 7}, TestModeWay::DriveBlock}));
+}
+
 TEST(BadLink, ADongleThatTakesNothingKeepsNobodyWaiting) {
     BadRig bad;
     ASSERT_TRUE(bad.connect());
@@ -293,8 +325,12 @@ TEST(BadLink, ADongleThatTakesNothingKeepsNobodyWaiting) {
                                        bad.rig->give(Kick{0, kKick}),
                                        bad.rig->give(SetTestMode{kRobotsThere, {wire::TestClass::Lamp, 0}}),
                                        bad.rig->give(SetChannels{0x0B, 0x0C})};
-    bad.rig->advance(300ms);
+    bad.rig->advance(400ms);
     EXPECT_EQ(bad.rig->answers(given[1]), 1U);
+    ASSERT_TRUE(bad.rig->answer(given[3]));
+    EXPECT_EQ(bad.rig->answer(given[3])->error().code, Errc::TimedOut);
+    // Nor is the session of no use from then on.
+    EXPECT_TRUE(bad.rig->ask(Brake{kRobotsThere}));
     const CommandId disconnect = bad.rig->give(Disconnect{}, 1);
     bad.rig->advance(600ms);
     EXPECT_EQ(bad.rig->answers(disconnect), 1U);
