@@ -40,8 +40,14 @@ struct UsbSetup {
 struct UsbMatch {
     std::uint16_t vendor = 0;
     std::uint16_t product = 0;
+    std::optional<std::uint16_t> otherProduct{};  ///< One that will do as well.
     std::optional<std::string> port;  ///< Its place on the bus, "1-2.3"; needed only where several match.
     std::vector<std::uint8_t> interfaces;  ///< The interfaces to claim.
+
+    /// Whether a device with these numbers is meant, wherever it is plugged in.
+    bool takes(std::uint16_t deviceVendor, std::uint16_t deviceProduct) const {
+        return deviceVendor == vendor && (deviceProduct == product || deviceProduct == otherProduct);
+    }
 };
 
 /// A device as it presented itself.

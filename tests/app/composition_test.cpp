@@ -24,13 +24,17 @@ Errc refusalOf(const char* text) {
 TEST(Composition, TakesItsLinks) {
     for (const char* text :
          {"usb:", "usb:?port=1-2.3", "usb-cable:", "usb-cable:?port=1-2.3", "sim:thunderbots",
-          "sim:thunderbots?robots=0-15&loss=0.02&seed=1&radio=ideal", "sim:thunderbots?cable=3"})
+          "sim:thunderbots?robots=0-15&loss=0.02&seed=1&radio=ideal", "sim:thunderbots?cable=3",
+          "usbip:127.0.0.1:3240/1-1", "usbip:bench.local/1-1", "usbip:[::1]:3241/2-1.4"})
         EXPECT_TRUE(checkLink(*parseLinkUri(text))) << text;
 }
 
 TEST(Composition, RefusesEverythingElse) {
     EXPECT_EQ(refusalOf("serial:/dev/ttyACM0"), Errc::BadUri);
-    EXPECT_EQ(refusalOf("usbip:127.0.0.1:3240/1-1"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("usbip:127.0.0.1:3240"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("usbip:127.0.0.1:0/1-1"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("usbip:/1-1"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("usbip:127.0.0.1/1-1?port=1-1"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usb:1-2"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usb:?serial=4"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usb:?port="), Errc::BadUri);
@@ -41,7 +45,8 @@ TEST(Composition, RefusesEverythingElse) {
 }
 
 TEST(Composition, NamesWhatItWouldTake) {
-    EXPECT_EQ(checkLink(*parseLinkUri("tcp:host")).error().detail, "usb:, usb-cable:, sim:thunderbots");
+    EXPECT_EQ(checkLink(*parseLinkUri("tcp:host")).error().detail,
+              "usb:, usb-cable:, usbip:HOST:PORT/BUSID, sim:thunderbots");
 }
 
 TEST(Composition, MakesASimulatedDongleThatOpens) {

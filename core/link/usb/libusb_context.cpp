@@ -40,7 +40,8 @@ bool LibusbContext::watch(const UsbMatch& match, Watcher watcher) {
     };
     return libusb_hotplug_register_callback(
                context_, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT, 0,
-               match.vendor, match.product, LIBUSB_HOTPLUG_MATCH_ANY, told, this, nullptr) == LIBUSB_SUCCESS;
+               match.vendor, match.otherProduct ? LIBUSB_HOTPLUG_MATCH_ANY : match.product,
+               LIBUSB_HOTPLUG_MATCH_ANY, told, this, nullptr) == LIBUSB_SUCCESS;
 }
 
 void LibusbContext::handleEvents() {

@@ -61,7 +61,7 @@ std::string portOf(libusb_device* device) {
 bool matches(libusb_device* device, const UsbMatch& match) {
     libusb_device_descriptor descriptor{};
     if (libusb_get_device_descriptor(device, &descriptor) != LIBUSB_SUCCESS) return false;
-    return descriptor.idVendor == match.vendor && descriptor.idProduct == match.product &&
+    return match.takes(descriptor.idVendor, descriptor.idProduct) &&
            (!match.port || *match.port == portOf(device));
 }
 
