@@ -31,7 +31,7 @@ class UsbipClient {
     using Listed = std::function<void(Result<std::vector<usbip::Device>>)>;
     using Imported = std::function<void(Result<usbip::Device>)>;
 
-    explicit UsbipClient(Scheduler& scheduler, std::unique_ptr<ByteStream> stream);
+    UsbipClient(Scheduler& scheduler, std::unique_ptr<ByteStream> stream);
     ~UsbipClient();
     UsbipClient(const UsbipClient&) = delete;
     UsbipClient& operator=(const UsbipClient&) = delete;

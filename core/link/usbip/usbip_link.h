@@ -24,9 +24,8 @@ using UsbipConnect = std::function<void(std::function<void(Result<std::unique_pt
 /// - UsbDeviceInfo::port is "HOST:PORT/BUSID".
 /// - When the connection is lost every transfer ends NoDevice and the presence listener hears false. A server
 ///   that has been silent for three seconds while something waits counts as lost.
-/// - While the link is not open and has a presence listener, the server is asked twice a second whether the
-///   device is there: "there" means on the server's list, which some servers keep only those on that are
-///   free.
+/// - While the link is not open and has a presence listener, the server is asked for its list twice a second.
+///   Some servers leave out devices that are in use; then one that is given back counts as coming.
 ///
 /// `scheduler` must outlive it.
 std::unique_ptr<UsbLink> makeUsbipLink(Scheduler& scheduler, const UsbipAddress& address, UsbMatch match);
