@@ -92,6 +92,10 @@ void Bench::disconnectAll() {
         client_.submit(session.id, Disconnect{});
 }
 
+void Bench::goTo(const QString& place) {
+    emit placeAsked(place.section(u'#', 0, 0), place.section(u'#', 1));
+}
+
 void Bench::follow() {
     rememberHazards();
     const auto& sessions = client_.snapshot().sessions;

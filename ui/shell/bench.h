@@ -54,7 +54,12 @@ class Bench final : public QObject {
     void connectBeside(const LinkUri& uri);
     void disconnectAll();
 
+    /// Brings a panel to the front; "faults#dongle-41" also names one thing in it.
+    void goTo(const QString& place);
+
   signals:
+    /// A panel, by its id, and what to show in it.
+    void placeAsked(const QString& panel, const QString& detail);
     /// There is a new snapshot, or another session is shown.
     void changed();
     /// Another session is shown, or none.

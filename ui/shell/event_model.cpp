@@ -16,6 +16,19 @@ QString textOf(const EventLine& line) {
     return line.count == 1 ? line.text : EventModel::tr("%1 (%2 times)").arg(line.text).arg(line.count);
 }
 
+/// Stable names, for files.
+QString weightName(Severity severity) {
+    switch (severity) {
+        case Severity::Information:
+            return QStringLiteral("information");
+        case Severity::Warning:
+            return QStringLiteral("warning");
+        case Severity::Danger:
+            return QStringLiteral("danger");
+    }
+    return {};
+}
+
 }  // namespace
 
 EventModel::EventModel(QObject* parent, std::size_t most) : QAbstractTableModel(parent), most_(most) {}
@@ -25,7 +38,10 @@ void EventModel::add(std::vector<EventLine> lines) {
     while (first < lines.size() && counted(lines[first]))
         ++first;
     // More at once than fit: the oldest of them would go at once anyway.
-    if (lines.size() - first > most_) first = lines.size() - most_;
+    if (lines.size() - first > most_) {
+        dropped_ += lines.size() - first - most_;
+        first = lines.size() - most_;
+    }
     append(lines.data() + first, lines.size() - first);
 }
 
@@ -43,6 +59,7 @@ void EventModel::append(const EventLine* lines, std::size_t count) {
     if (count == 0) return;
     if (lines_.size() + count > most_) {
         const std::size_t surplus = std::min(lines_.size(), lines_.size() + count - most_);
+        dropped_ += surplus;
         const int last = static_cast<int>(lines_.size()) - 1;
         beginRemoveRows({}, last - static_cast<int>(surplus) + 1, last);
         lines_.erase(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(surplus));
@@ -66,7 +83,11 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     const EventLine& line = lines_[lines_.size() - 1 - static_cast<std::size_t>(index.row())];
     if (role == SeverityRole) return static_cast<int>(line.severity);
     if (role == RobotRole) return line.robot;
-    if (role == Qt::ToolTipRole && index.column() == Text) return textOf(line);
+    if (role == PlaceRole) return line.place;
+    if (role == Qt::ToolTipRole && index.column() == Text) {
+        return line.place.isEmpty() ? textOf(line)
+                                    : tr("%1\nDouble-click or Enter says more.").arg(textOf(line));
+    }
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
         case Time:
@@ -88,6 +109,32 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
         default:
             return tr("What happened");
     }
+}
+
+QString eventText(const QAbstractItemModel& model, const std::vector<int>& rows) {
+    QStringList lines;
+    for (const int row : rows) {
+        QStringList cells;
+        for (int column = 0; column < EventModel::ColumnCount; ++column)
+            cells << model.index(row, column).data().toString();
+        lines << cells.join(u'\t');
+    }
+    return lines.join(u'\n');
+}
+
+QByteArray eventCsv(const QAbstractItemModel& model) {
+    QString csv = QStringLiteral("time,robot,weight,what\n");
+    for (int row = model.rowCount() - 1; row >= 0; --row) {
+        const QModelIndex index = model.index(row, EventModel::Text);
+        const int robot = index.data(EventModel::RobotRole).toInt();
+        const auto severity = static_cast<Severity>(index.data(EventModel::SeverityRole).toInt());
+        QString what = index.data().toString();
+        what.replace(u'"', QStringLiteral("\"\""));
+        csv += QStringLiteral("%1,%2,%3,\"%4\"\n")
+                   .arg(model.index(row, EventModel::Time).data().toString(),
+                        robot < 0 ? QString() : QString::number(robot), weightName(severity), what);
+    }
+    return csv.toUtf8();
 }
 
 void EventFilter::setRobot(int robot) {

@@ -2,6 +2,7 @@
 
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
+#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct EventLine {
     /// Lines that may repeat are counted instead of repeated.
     bool countable = false;
     int count = 1;
+    /// Where more is said about it, as Bench::goTo() takes it; empty where nowhere is.
+    QString place{};
 };
 
 /// The events of this run, newest first, at most so many: the oldest give way.
@@ -25,13 +28,15 @@ class EventModel final : public QAbstractTableModel {
     Q_OBJECT
   public:
     enum Column { Time, Robot, Text, ColumnCount };
-    enum Role { SeverityRole = Qt::UserRole, RobotRole };
+    enum Role { SeverityRole = Qt::UserRole, RobotRole, PlaceRole };
     static constexpr std::size_t kMostLines = 10'000;
 
     explicit EventModel(QObject* parent = nullptr, std::size_t most = kMostLines);
 
     /// Oldest first.
     void add(std::vector<EventLine> lines);
+    /// How many have given way to newer ones.
+    std::uint64_t dropped() const { return dropped_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -44,6 +49,7 @@ class EventModel final : public QAbstractTableModel {
 
     std::size_t most_;
     std::deque<EventLine> lines_;  ///< Oldest first.
+    std::uint64_t dropped_ = 0;
 };
 
 /// What of it is shown.
@@ -65,5 +71,10 @@ class EventFilter final : public QSortFilterProxyModel {
     Severity least_ = Severity::Information;
     QString text_;
 };
+
+/// Rows as text for a spreadsheet or a report, in the order of `rows`: time, robot, what, tab-separated.
+QString eventText(const QAbstractItemModel& model, const std::vector<int>& rows);
+/// All rows, oldest first, as CSV with a header line: time, robot, weight, what.
+QByteArray eventCsv(const QAbstractItemModel& model);
 
 }  // namespace kickstand::ui

@@ -10,10 +10,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
+#include <QPushButton>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <algorithm>
+#include <numeric>
 
 #include "ui/shell/bench.h"
+#include "ui/shell/system_view.h"
+#include "ui/widgets/save_file.h"
 #include "ui/widgets/state_label.h"
 #include "ui/widgets/tokens.h"
 
@@ -26,6 +32,8 @@ constexpr int kTimeWidth = 108;
 constexpr int kRobotWidth = 76;
 constexpr int kUnits = 16;
 constexpr double kMark = 8;
+/// Room for "explain".
+constexpr int kMore = 72;
 
 /// Draws a line of the list: what is bad has a shape beside its colour.
 class EventDelegate final : public QStyledItemDelegate {
@@ -50,8 +58,14 @@ class EventDelegate final : public QStyledItemDelegate {
         }
         const QString text = index.data().toString();
         painter->setFont(option.font);
-        painter->drawText(area, Qt::AlignVCenter | Qt::TextSingleLine,
-                          option.fontMetrics.elidedText(text, Qt::ElideRight, area.width()));
+        const QString shown = option.fontMetrics.elidedText(
+            text, Qt::ElideRight, area.width() - (index.column() == EventModel::Text ? kMore : 0));
+        painter->drawText(area, Qt::AlignVCenter | Qt::TextSingleLine, shown);
+        if (index.column() == EventModel::Text && !index.data(EventModel::PlaceRole).toString().isEmpty()) {
+            area.setLeft(area.left() + option.fontMetrics.horizontalAdvance(shown) + metrics::kGap);
+            painter->setPen(t.accent);
+            painter->drawText(area, Qt::AlignVCenter | Qt::TextSingleLine, EventsPanel::tr("explain \u203a"));
+        }
         painter->restore();
     }
 };
@@ -101,12 +115,31 @@ void EventsPanel::buildView() {
     view_->setColumnWidth(EventModel::Time, kTimeWidth);
     view_->setColumnWidth(EventModel::Robot, kRobotWidth);
 
-    auto* copy = new QAction(tr("Copy"), view_);
-    copy->setShortcut(QKeySequence::Copy);
-    copy->setShortcutContext(Qt::WidgetShortcut);
-    connect(copy, &QAction::triggered, this, &EventsPanel::copySelection);
-    view_->addAction(copy);
+    addActions();
+    connect(view_->verticalScrollBar(), &QScrollBar::valueChanged, this, &EventsPanel::noteScroll);
+    connect(&filter_, &QAbstractItemModel::rowsInserted, this,
+            [this](const QModelIndex&, int first, int last) {
+                if (first == 0) keepPlace(first, last);
+            });
+}
+
+void EventsPanel::addActions() {
+    const auto add = [this](const QString& text, const QKeySequence& keys, auto act) {
+        auto* action = new QAction(text, view_);
+        action->setShortcut(keys);
+        action->setShortcutContext(Qt::WidgetShortcut);
+        connect(action, &QAction::triggered, this, act);
+        view_->addAction(action);
+        return action;
+    };
+    add(tr("Copy"), QKeySequence::Copy, &EventsPanel::copySelection);
+    QAction* explain = add(tr("Explain"), QKeySequence(Qt::Key_Return), [this] { explainCurrent(); });
+    add(tr("Save all that is shown\u2026"), QKeySequence::Save, &EventsPanel::save);
     view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(view_, &QTableView::doubleClicked, this, &EventsPanel::explainCurrent);
+    const auto refresh = [this, explain] { explain->setEnabled(!placeOfCurrent().isEmpty()); };
+    connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, refresh);
+    refresh();
 }
 
 QWidget* EventsPanel::headerTools() {
@@ -114,6 +147,12 @@ QWidget* EventsPanel::headerTools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::kGap);
+    addFilters(tools, row);
+    addButtons(tools, row);
+    return tools;
+}
+
+void EventsPanel::addFilters(QWidget* tools, QHBoxLayout* row) {
     auto* text = new QLineEdit(tools);
     text->setObjectName(QStringLiteral("eventText"));
     text->setPlaceholderText(tr("Filter"));
@@ -140,7 +179,28 @@ QWidget* EventsPanel::headerTools() {
             [this, robots] { filter_.setRobot(robots->currentData().toInt()); });
     connect(least, &QComboBox::currentIndexChanged, this,
             [this, least] { filter_.setLeast(static_cast<Severity>(least->currentData().toInt())); });
-    return tools;
+}
+
+void EventsPanel::addButtons(QWidget* tools, QHBoxLayout* row) {
+    const auto add = [tools, row](const QString& text, const char* name, const QString& tip) {
+        auto* button = new QPushButton(text, tools);
+        button->setObjectName(QString::fromLatin1(name));
+        button->setAutoDefault(false);
+        button->setToolTip(tip);
+        button->setFixedHeight(metrics::kFieldHeight);
+        row->addWidget(button);
+        return button;
+    };
+    follow_ = add(tr("Follow"), "eventFollow", tr("Keeps the newest in view. Scrolling down lets go of it."));
+    follow_->setCheckable(true);
+    follow_->setChecked(true);
+    connect(follow_, &QPushButton::toggled, this, [this](bool on) {
+        if (on) view_->scrollToTop();
+    });
+    connect(add(tr("Copy"), "eventCopy", tr("Copies the lines that are marked, or all that are shown.")),
+            &QPushButton::clicked, this, &EventsPanel::copySelection);
+    connect(add(tr("Save\u2026"), "eventSave", tr("Writes all that is shown to a CSV file.")),
+            &QPushButton::clicked, this, &EventsPanel::save);
 }
 
 void EventsPanel::take(const std::vector<EngineEvent>& events, quint64 lost) {
@@ -160,9 +220,11 @@ void EventsPanel::take(const std::vector<EngineEvent>& events, quint64 lost) {
         line.robot = robotOf(event);
         line.text = std::move(words.text);
         line.severity = words.severity;
+        line.place = placeOf(event);
         lines.push_back(std::move(line));
     }
     model_.add(std::move(lines));
+    if (model_.dropped() > 0) setNote(tr("the oldest %1 gave way").arg(model_.dropped()));
 }
 
 void EventsPanel::takeRefusal(const Error& error) {
@@ -175,16 +237,52 @@ void EventsPanel::takeRefusal(const Error& error) {
     model_.add({std::move(line)});
 }
 
+QString EventsPanel::placeOf(const EngineEvent& event) const {
+    const auto* body = std::get_if<SystemEvent>(&event.body);
+    const SessionSnapshot* session = body == nullptr ? nullptr : bench().client().session(event.session);
+    const SystemView* view = session == nullptr ? nullptr : bench().systems().viewOf(session->system);
+    return view == nullptr ? QString() : view->placeOf(*body);
+}
+
+QString EventsPanel::placeOfCurrent() const {
+    return view_->currentIndex().siblingAtColumn(EventModel::Text).data(EventModel::PlaceRole).toString();
+}
+
+void EventsPanel::explainCurrent() {
+    const QString place = placeOfCurrent();
+    if (!place.isEmpty()) bench().goTo(place);
+}
+
 void EventsPanel::copySelection() {
-    QStringList text;
-    for (const QModelIndex& row : view_->selectionModel()->selectedRows()) {
-        QStringList cells;
-        for (int column = 0; column < EventModel::ColumnCount; ++column) {
-            cells << row.siblingAtColumn(column).data().toString();
-        }
-        text << cells.join(u'\t');
+    std::vector<int> rows;
+    for (const QModelIndex& row : view_->selectionModel()->selectedRows())
+        rows.push_back(row.row());
+    if (rows.empty()) {
+        rows.resize(static_cast<std::size_t>(filter_.rowCount()));
+        std::iota(rows.begin(), rows.end(), 0);
     }
-    if (!text.isEmpty()) QApplication::clipboard()->setText(text.join(u'\n'));
+    std::sort(rows.begin(), rows.end());
+    if (!rows.empty()) QApplication::clipboard()->setText(eventText(filter_, rows));
+}
+
+void EventsPanel::save() {
+    askToSave(this, tr("Save events"), QStringLiteral("kickstand-events.csv"), QStringLiteral("csv"),
+              [this] { return eventCsv(filter_); });
+}
+
+void EventsPanel::keepPlace(int first, int last) {
+    QScrollBar* bar = view_->verticalScrollBar();
+    const bool follows = follow_ == nullptr || follow_->isChecked();
+    // What is being read stays where it is while newer lines come in above it.
+    const int top = follows ? 0 : bar->value() + (last - first + 1) * kRowHeight;
+    placing_ = true;
+    view_->doItemsLayout();
+    bar->setValue(top);
+    placing_ = false;
+}
+
+void EventsPanel::noteScroll(int value) {
+    if (!placing_ && follow_ != nullptr) follow_->setChecked(value == 0);
 }
 
 void EventsPanel::refreshEmpty() {

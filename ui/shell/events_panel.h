@@ -3,7 +3,9 @@
 #include "ui/shell/event_model.h"
 #include "ui/shell/panel.h"
 
+class QHBoxLayout;
 class QLabel;
+class QPushButton;
 class QTableView;
 
 namespace kickstand::ui {
@@ -21,15 +23,26 @@ class EventsPanel final : public Panel {
 
   private:
     void buildView();
+    void addActions();
+    void addFilters(QWidget* tools, QHBoxLayout* row);
+    void addButtons(QWidget* tools, QHBoxLayout* row);
     void take(const std::vector<EngineEvent>& events, quint64 lost);
     void takeRefusal(const Error& error);
+    QString placeOf(const EngineEvent& event) const;
+    QString placeOfCurrent() const;
+    void explainCurrent();
     void copySelection();
+    void save();
+    void keepPlace(int first, int last);
+    void noteScroll(int value);
     void refreshEmpty();
 
     EventModel model_;
     EventFilter filter_;
     QTableView* view_;
     QLabel* empty_;
+    QPushButton* follow_ = nullptr;
+    bool placing_ = false;  ///< The view is being moved by the panel, not by a person.
 };
 
 }  // namespace kickstand::ui

@@ -15,6 +15,7 @@
 #include "core/engine/describe.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
+#include "ui/shell/doctor_window.h"
 #include "ui/shell/focus_guard.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/live_warning.h"
@@ -73,10 +74,14 @@ void MainWindow::build() {
     column->addWidget(stopped_);
     column->addWidget(leftBehind_);
     column->addWidget(problem_);
-    pages_->addWidget(new StartPage(bench_, *connector_, pages_));
+    auto* start = new StartPage(bench_, *connector_, pages_);
+    auto* status = new StatusStrip(bench_, this);
+    connect(start, &StartPage::doctorAsked, this, &MainWindow::showDoctor);
+    connect(status, &StatusStrip::doctorAsked, this, &MainWindow::showDoctor);
+    pages_->addWidget(start);
     pages_->addWidget(workbench_);
     column->addWidget(pages_, 1);
-    column->addWidget(new StatusStrip(bench_, this));
+    column->addWidget(status);
 }
 
 void MainWindow::makeBanners() {
@@ -184,6 +189,17 @@ void MainWindow::copyRemedy() {
 void MainWindow::showHelp(const QString& page) {
     if (help_ == nullptr) help_ = new HelpWindow(this);
     help_->showPage(page);
+}
+
+void MainWindow::showDoctor() {
+    if (doctor_ == nullptr) {
+        doctor_ = new DoctorWindow(bench_, this);
+        connect(doctor_, &DoctorWindow::helpAsked, this,
+                [this] { showHelp(QStringLiteral("bench-guide.md#when-something-does-not-work")); });
+    }
+    doctor_->show();
+    doctor_->raise();
+    doctor_->activateWindow();
 }
 
 void MainWindow::closeNow() {

@@ -12,6 +12,7 @@ namespace kickstand::ui {
 class Banner;
 class Bench;
 class Connector;
+class DoctorWindow;
 class FocusGuard;
 class HelpWindow;
 class StoppedFrame;
@@ -28,6 +29,8 @@ class MainWindow final : public QWidget {
     Connector& connector() const { return *connector_; }
     Workbench& workbench() const { return *workbench_; }
     void showHelp(const QString& page);
+    /// Opens "Why does it not work?".
+    void showDoctor();
     /// Shows an error with its remedy until it is dismissed or something connects.
     void showProblem(const Error& error);
     /// Brakes and closes without a question: a signal asked for it.
@@ -62,6 +65,7 @@ class MainWindow final : public QWidget {
     QWidget* dismiss_ = nullptr;
     StoppedFrame* frame_;
     HelpWindow* help_ = nullptr;
+    DoctorWindow* doctor_ = nullptr;
     std::optional<Error> shownProblem_;
     bool leaving_ = false;
 };

@@ -19,6 +19,8 @@ class Panel : public QWidget {
     virtual QWidget* headerTools() { return nullptr; }
     /// A person has closed the panel: what is driven from it must not go on unseen.
     virtual void closed() {}
+    /// Somebody asked for one thing in this panel (Bench::goTo()), by a name that the panel knows.
+    virtual void showDetail(const QString& detail) { Q_UNUSED(detail) }
 
   signals:
     void noteChanged(const QString& note);

@@ -59,6 +59,12 @@ StartPage::StartPage(Bench& bench, Connector& connector, QWidget* parent)
     column->addLayout(found_);
     column->addSpacing(metrics::kPadding);
     addOffers(column);
+    auto* doctor = new QPushButton(tr("Why does it not work?"), this);
+    doctor->setObjectName(QStringLiteral("startDoctor"));
+    doctor->setAutoDefault(false);
+    doctor->setToolTip(tr("Looks at everything between this program and a robot, and says what to do."));
+    connect(doctor, &QPushButton::clicked, this, &StartPage::doctorAsked);
+    column->addWidget(doctor, 0, Qt::AlignLeft);
     auto* page = new QVBoxLayout(this);
     page->addStretch(2);
     page->addWidget(centre, 0, Qt::AlignHCenter);

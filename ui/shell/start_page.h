@@ -20,6 +20,9 @@ class StartPage final : public QWidget {
   public:
     StartPage(Bench& bench, Connector& connector, QWidget* parent = nullptr);
 
+  signals:
+    void doctorAsked();
+
   protected:
     void paintEvent(QPaintEvent* event) override;
 

@@ -3,9 +3,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 
 #include "ui/shell/bench.h"
 #include "ui/shell/system_view.h"
+#include "ui/widgets/bench_style.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -13,6 +15,7 @@ namespace kickstand::ui {
 namespace {
 
 constexpr int kHeight = 26;
+constexpr int kButtonHeight = 22;
 constexpr int kFontSize = 12;
 
 QLabel* quietLabel(QWidget* parent) {
@@ -32,12 +35,20 @@ StatusStrip::StatusStrip(Bench& bench, QWidget* parent)
     link_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     QLabel* keys = quietLabel(this);
     keys->setText(tr("F1 help \u00b7 Space STOP"));
+    auto* doctor = new QPushButton(tr("Why does it not work?"), this);
+    doctor->setObjectName(QStringLiteral("doctorButton"));
+    doctor->setFont(textFont(kFontSize));
+    doctor->setAutoDefault(false);
+    doctor->setFixedHeight(kButtonHeight);
+    setButtonRole(doctor, ButtonRole::Flat);
+    connect(doctor, &QPushButton::clicked, this, &StatusStrip::doctorAsked);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(metrics::kPadding, 1, metrics::kPadding, 0);
     row->setSpacing(18);
     row->addWidget(link_);
     row->addWidget(facts_);
     row->addStretch(1);
+    row->addWidget(doctor);
     row->addWidget(keys);
     connect(&bench_, &Bench::changed, this, &StatusStrip::refresh);
     refresh();

@@ -14,6 +14,9 @@ class StatusStrip final : public QWidget {
   public:
     explicit StatusStrip(Bench& bench, QWidget* parent = nullptr);
 
+  signals:
+    void doctorAsked();
+
   protected:
     void paintEvent(QPaintEvent* event) override;
 

@@ -85,6 +85,13 @@ class SystemView {
     /// for.
     virtual QString actionText(const SimAction& action) const = 0;
     virtual std::vector<std::pair<QString, double>> actionChoices(const SimAction& action) const = 0;
+    /// A unit in words: "Robot 3".
+    virtual QString unitText(int unit) const = 0;
+    /// Where more is said about an event, as Bench::goTo() takes it; empty where nowhere is.
+    virtual QString placeOf(const SystemEvent& event) const {
+        Q_UNUSED(event)
+        return {};
+    }
 };
 
 /// The systems of this program, in the order they are shown.

@@ -94,6 +94,9 @@ void WindowMenus::addHelp() {
     help_->addAction(tr("&Bench guide"), this, [this] { window_.showHelp(QString::fromLatin1(kGuidePage)); });
     help_->addAction(tr("&Contents"), this, [this] { window_.showHelp(QStringLiteral("index.md")); });
     help_->addSeparator();
+    QAction* doctor = help_->addAction(tr("&Why does it not work?"), &window_, &MainWindow::showDoctor);
+    doctor->setObjectName(QStringLiteral("doctorAction"));
+    help_->addSeparator();
     help_->addAction(tr("&About Kickstand"), this, &WindowMenus::showAbout);
 }
 

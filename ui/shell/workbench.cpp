@@ -1,5 +1,6 @@
 #include "ui/shell/workbench.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QSettings>
 #include <initializer_list>
@@ -7,7 +8,9 @@
 
 #include "ui/shell/bench.h"
 #include "ui/shell/events_panel.h"
+#include "ui/shell/panel.h"
 #include "ui/shell/panel_dock.h"
+#include "ui/shell/sim_panel.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -17,7 +20,7 @@ namespace {
 constexpr const char* kLayoutSetting = "window/docks";
 constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
-constexpr int kAsideWidth = 248;
+constexpr int kAsideWidth = 276;
 constexpr int kWorkHeight = 360;
 constexpr int kLeastEventsHeight = 112;
 /// Of what is left under the work panels.
@@ -39,7 +42,29 @@ void Workbench::addPanels() {
     }
     addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md"), PanelPlace::Bottom,
               [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
+    addPanel({QStringLiteral("simulated"), tr("Simulated robots"), QStringLiteral("bench-guide.md"),
+              PanelPlace::Work, [](Bench& bench) -> Panel* { return new SimPanel(bench); }});
+    simulated_ = docks_.back();
     placePanels();
+    followSession();
+    connect(&bench_, &Bench::sessionChanged, this, &Workbench::followSession);
+    connect(&bench_, &Bench::placeAsked, this, &Workbench::go);
+}
+
+void Workbench::go(const QString& panel, const QString& detail) {
+    for (PanelDock* dock : docks_) {
+        if (dock->objectName() != panel) continue;
+        dock->show();
+        dock->raise();
+        dock->panel()->showDetail(detail);
+    }
+}
+
+void Workbench::followSession() {
+    const SessionSnapshot* session = bench_.session();
+    const bool simulated = session != nullptr && session->uri.isSimulated();
+    simulated_->toggleViewAction()->setVisible(simulated);
+    simulated_->setVisible(simulated);
 }
 
 void Workbench::addPanel(const PanelEntry& entry) {

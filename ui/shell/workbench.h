@@ -32,12 +32,15 @@ class Workbench final : public QMainWindow {
     void addPanel(const PanelEntry& entry);
     void placePanels();
     void sizePanels();
+    void go(const QString& panel, const QString& detail);
+    void followSession();
     QList<QDockWidget*> docksAt(PanelPlace place) const;
 
     Bench& bench_;
     std::vector<PanelDock*> docks_;
     std::vector<PanelPlace> places_;  ///< Of each dock.
-    bool sized_ = false;  ///< Sizes are those that a person left.
+    PanelDock* simulated_ = nullptr;  ///< There only for simulated links.
+    bool sized_ = false;              ///< Sizes are those that a person left.
 };
 
 }  // namespace kickstand::ui

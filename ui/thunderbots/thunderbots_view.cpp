@@ -6,6 +6,9 @@
 #include "core/engine/describe.h"
 #include "core/thunderbots/wire/readings.h"
 #include "ui/thunderbots/drive_panel.h"
+#include "ui/thunderbots/experiment_panel.h"
+#include "ui/thunderbots/faults_panel.h"
+#include "ui/thunderbots/leds_panel.h"
 #include "ui/thunderbots/robots_panel.h"
 #include "ui/thunderbots/words.h"
 
@@ -75,6 +78,12 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
         {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
          [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
+        {QStringLiteral("leds"), Words::tr("Test LEDs"), QString::fromLatin1(kHelpPage), PanelPlace::Aside,
+         [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
+        {QStringLiteral("experiment"), Words::tr("Experiment data"), QString::fromLatin1(kHelpPage),
+         PanelPlace::Work, [&choice](Bench& bench) -> Panel* { return new ExperimentPanel(bench, choice); }},
+        {QStringLiteral("faults"), Words::tr("Fault codes"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
+         [](Bench& bench) -> Panel* { return new FaultsPanel(bench); }},
     };
 }
 
@@ -173,7 +182,7 @@ std::vector<int> ThunderbotsView::chosenUnits() const {
 
 QString ThunderbotsView::actionText(const SimAction& action) const {
     static const std::map<std::string, const char*> texts = {
-        {"ball", QT_TRANSLATE_NOOP("ThunderbotsView", "Ball in the beam")},
+        {"ball", QT_TRANSLATE_NOOP("ThunderbotsView", "Ball")},
         {"battery", QT_TRANSLATE_NOOP("ThunderbotsView", "Battery")},
         {"capacitor", QT_TRANSLATE_NOOP("ThunderbotsView", "Capacitor")},
         {"dead", QT_TRANSLATE_NOOP("ThunderbotsView", "Power")},
@@ -184,8 +193,8 @@ QString ThunderbotsView::actionText(const SimAction& action) const {
         {"delay", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio delay")},
         {"plugged", QT_TRANSLATE_NOOP("ThunderbotsView", "USB plug")},
         {"stall", QT_TRANSLATE_NOOP("ThunderbotsView", "Stalled endpoint")},
-        {"experiment", QT_TRANSLATE_NOOP("ThunderbotsView", "Send experiment data")},
-        {"temperature", QT_TRANSLATE_NOOP("ThunderbotsView", "Dribbler temperature")},
+        {"experiment", QT_TRANSLATE_NOOP("ThunderbotsView", "Experiment")},
+        {"temperature", QT_TRANSLATE_NOOP("ThunderbotsView", "Temperature")},
         {"error", QT_TRANSLATE_NOOP("ThunderbotsView", "Dongle error code")},
     };
     const auto found = texts.find(action.name);
@@ -196,17 +205,34 @@ std::vector<std::pair<QString, double>> ThunderbotsView::actionChoices(const Sim
     const auto switches = [](const QString& on, const QString& off) {
         return std::vector<std::pair<QString, double>>{{on, 1}, {off, 0}};
     };
-    if (action.name == "ball") return switches(Words::tr("Put in"), Words::tr("Take away"));
-    if (action.name == "dead") return switches(Words::tr("Switch off"), Words::tr("Switch on"));
-    if (action.name == "plugged") return switches(Words::tr("Plug in"), Words::tr("Pull out"));
+    if (action.name == "ball") return switches(Words::tr("In"), Words::tr("Out"));
+    if (action.name == "dead") return switches(Words::tr("Off"), Words::tr("On"));
+    if (action.name == "plugged") return switches(Words::tr("In"), Words::tr("Out"));
     if (action.name == "experiment") return {{Words::tr("Send"), 1}};
     if (action.name == "e-stop") {
-        return {{Words::tr("Run"), 3}, {Words::tr("Stop"), 2}, {Words::tr("Not plugged in"), 1}};
+        return {{Words::tr("Run"), 3}, {Words::tr("Stop"), 2}, {Words::tr("Unplugged"), 1}};
     }
     if (action.name == "radio-failure") {
         return {{Words::tr("None"), -1}, {Words::tr("Radio 0"), 0}, {Words::tr("Radio 1"), 1}};
     }
+    if (action.name == "stall") {
+        return {{Words::tr("0x05 drive"), 0x05},        {Words::tr("0x85 feedback"), 0x85},
+                {Words::tr("0x06 messages out"), 0x06}, {Words::tr("0x86 messages in"), 0x86},
+                {Words::tr("0x81 status"), 0x81},       {Words::tr("0x82 errors"), 0x82},
+                {Words::tr("0x84 debug text"), 0x84}};
+    }
     return {};
+}
+
+QString ThunderbotsView::unitText(int unit) const {
+    return Words::tr("Robot %1").arg(unit);
+}
+
+QString ThunderbotsView::placeOf(const SystemEvent& event) const {
+    const auto* own = std::get_if<Event>(&event);
+    if (own == nullptr || own->kind != EventKind::DongleFault || own->code < 0 || own->code > UINT8_MAX)
+        return {};
+    return FaultsPanel::placeOf(static_cast<std::uint8_t>(own->code));
 }
 
 }  // namespace kickstand::ui

@@ -26,6 +26,8 @@ class ThunderbotsView final : public SystemView {
     std::vector<int> chosenUnits() const override;
     QString actionText(const SimAction& action) const override;
     std::vector<std::pair<QString, double>> actionChoices(const SimAction& action) const override;
+    QString unitText(int unit) const override;
+    QString placeOf(const SystemEvent& event) const override;
 
     RobotChoice& choice() const { return *choice_; }
 

@@ -1,0 +1,68 @@
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "app/kickstand/tour_maker.h"
+
+namespace kickstand::app {
+
+using namespace thunderbots;
+
+namespace {
+
+/// Chooses an entry of a list as a person does.
+TourMaker::Act choose(ui::MainWindow* window, const char* list, int index) {
+    return [window, list, index] {
+        auto* box = window->findChild<QComboBox*>(QLatin1String(list));
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    };
+}
+
+void addLeds(TourMaker& tour) {
+    tour.add("led-class", choose(tour.window(), "ledClass", static_cast<int>(wire::TestClass::Encoder)),
+             tour.whenRobot([](const RobotState& robot) {
+                 return robot.toldTestMode && robot.toldTestMode->testClass == wire::TestClass::Encoder;
+             }));
+    tour.show("leds", choose(tour.window(), "ledTarget", 1), tour.whenRobot([](const RobotState& robot) {
+        return robot.toldTestMode == wire::TestMode{wire::TestClass::Encoder, 2};
+    }));
+}
+
+void addExperiment(TourMaker& tour) {
+    tour.add("experiment-panel", tour.goTo("experiment"));
+    tour.show("experiment", tour.simulate("experiment", TourMaker::kRobot, 1),
+              tour.whenRobot([](const RobotState& robot) { return robot.experiment.known.all(); }));
+}
+
+void addFaults(TourMaker& tour) {
+    tour.add("dongle-error", tour.simulate("error", -1, 44),
+             tour.when([](const Snapshot& snapshot) { return snapshot.traffic.dongleErrors > 0; }));
+    tour.show("fault-code", tour.goTo("faults#dongle-44"));
+}
+
+void addSimulated(TourMaker& tour) {
+    tour.show("simulated-robots", tour.goTo("simulated"));
+}
+
+void addDoctor(TourMaker& tour) {
+    tour.showWindow(
+        "doctor", [window = tour.window()] { window->showDoctor(); }, TourMaker::always,
+        [window = tour.window()] { return window->findChild<QWidget*>(QStringLiteral("doctor")); });
+    tour.add("close-doctor",
+             [window = tour.window()] { window->findChild<QWidget*>(QStringLiteral("doctor"))->close(); });
+    tour.add("normal-lights", tour.press("ledNormal"));
+    tour.add("drive-panel", tour.goTo("drive"));
+}
+
+}  // namespace
+
+void addLookingSteps(TourMaker& tour) {
+    addLeds(tour);
+    addExperiment(tour);
+    addFaults(tour);
+    addSimulated(tour);
+    addDoctor(tour);
+}
+
+}  // namespace kickstand::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QAbstractButton>
+#include <QPainter>
+#include <QPixmap>
+#include <functional>
+#include <vector>
+
+#include "app/kickstand/tour.h"
+#include "ui/shell/bench.h"
+#include "ui/shell/main_window.h"
+#include "ui/thunderbots/thunderbots_view.h"
+
+namespace kickstand::app {
+
+/// Makes the steps of the tour: what each does, it does with the controls that a person would use. The
+/// closures that it makes outlive it: they hold the window and the bench themselves.
+class TourMaker {
+  public:
+    using Act = std::function<void()>;
+    using Done = std::function<bool()>;
+
+    /// The robot that the tour plays with.
+    static constexpr int kRobot = 3;
+
+    TourMaker(ui::MainWindow& window, ui::Bench& bench) : window_(&window), bench_(&bench) {}
+
+    std::vector<TourStep> steps() && { return std::move(steps_); }
+    ui::MainWindow* window() const { return window_; }
+    ui::Bench* bench() const { return bench_; }
+
+    /// Without a picture.
+    void add(const char* name, const Act& act, const Done& done = always);
+    /// With a picture of the window.
+    void show(const char* name, const Act& act, const Done& done = always);
+    /// With another window drawn over the first.
+    void showOver(const char* name, const Act& act, const Done& done, const std::function<QWidget*()>& over);
+    /// With a picture of another window alone.
+    void showWindow(const char* name, const Act& act, const Done& done,
+                    const std::function<QWidget*()>& picture);
+
+    /// Clicks a button of the window, by its name.
+    Act press(const char* name) const;
+    /// Brings a panel to the front, by its id.
+    Act goTo(const char* place) const;
+    Act simulate(const char* action, int unit, double value) const;
+    Done when(const std::function<bool(const thunderbots::Snapshot&)>& holds) const;
+    Done whenRobot(const std::function<bool(const thunderbots::RobotState&)>& holds) const;
+    static bool always() { return true; }
+
+  private:
+    ui::MainWindow* window_;
+    ui::Bench* bench_;
+    std::vector<TourStep> steps_;
+};
+
+/// Test LEDs, experiment data, events, fault codes, simulated robots, and why it does not work.
+void addLookingSteps(TourMaker& tour);
+
+}  // namespace kickstand::app

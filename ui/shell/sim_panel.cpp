@@ -1,0 +1,179 @@
+#include "ui/shell/sim_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/engine/describe.h"
+#include "ui/shell/bench.h"
+#include "ui/shell/sim_action_control.h"
+#include "ui/shell/system_view.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+namespace {
+
+/// Pairs of a name and a control, side by side, for what concerns everything.
+constexpr int kPairs = 2;
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setFont(textFont(metrics::kSmallTextSize));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+/// Takes away everything that a widget shows, and gives it a fresh grid.
+QGridLayout* clean(QWidget* place) {
+    qDeleteAll(place->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+    delete place->layout();
+    auto* grid = new QGridLayout(place);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(metrics::kPadding);
+    grid->setVerticalSpacing(6);
+    return grid;
+}
+
+}  // namespace
+
+SimPanel::SimPanel(Bench& bench, QWidget* parent)
+    : Panel(bench, parent),
+      units_(new QWidget(this)),
+      shared_(new QWidget(this)),
+      hint_(new QLabel(this)),
+      notice_(new QLabel(this)) {
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    hint_->setObjectName(QStringLiteral("simHint"));
+    notice_->setObjectName(QStringLiteral("simNotice"));
+    notice_->setWordWrap(true);
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->viewport()->setAutoFillBackground(false);
+    auto* content = new QWidget(area);
+    auto* inside = new QVBoxLayout(content);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->setSpacing(metrics::kPadding);
+    inside->addWidget(hint_);
+    inside->addWidget(units_);
+    inside->addWidget(shared_);
+    inside->addStretch(1);
+    area->setWidget(content);
+    content->setAutoFillBackground(false);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(metrics::kPadding, 10, metrics::kGap, metrics::kGap);
+    column->addWidget(area, 1);
+    column->addWidget(notice_);
+    connect(&bench, &Bench::changed, this, &SimPanel::refresh);
+    refresh();
+}
+
+SimPanel::Shape SimPanel::shapeNow() const {
+    Shape shape;
+    const SessionSnapshot* session = bench().session();
+    if (session == nullptr || !session->uri.isSimulated() || bench().view() == nullptr) return shape;
+    shape.session = session->id;
+    shape.actions = session->simActions;
+    for (const int unit : bench().view()->chosenUnits()) {
+        if (std::find(session->simUnits.begin(), session->simUnits.end(), unit) != session->simUnits.end())
+            shape.units.push_back(unit);
+    }
+    return shape;
+}
+
+void SimPanel::refresh() {
+    Shape now = shapeNow();
+    if (now != shape_) {
+        shape_ = std::move(now);
+        build();
+    }
+    if (shape_.session == 0 || !isVisible()) return;
+    for (const auto& [key, control] : controls_) {
+        std::optional<double> value;
+        for (const SimReading& reading : bench().session()->simReadings) {
+            if (reading.action == key.first && reading.unit == key.second) value = reading.value;
+        }
+        control->showValue(value);
+    }
+}
+
+void SimPanel::build() {
+    controls_.clear();
+    notice_->clear();
+    notice_->hide();
+    const bool simulated = shape_.session != 0;
+    hint_->setVisible(shape_.units.empty());
+    hint_->setText(simulated ? tr("Choose robots at the left: each gets a row here.")
+                             : tr("There is nothing to do by hand where robots are real."));
+    setNote(simulated ? tr("from outside the wire") : QString());
+    addUnits();
+    addShared();
+}
+
+void SimPanel::addUnits() {
+    QGridLayout* grid = clean(units_);
+    units_->setVisible(!shape_.units.empty());
+    if (shape_.units.empty()) return;
+    const SystemView& view = *bench().view();
+    int column = 1;
+    for (const SimAction& action : shape_.actions) {
+        if (!action.perUnit) continue;
+        grid->addWidget(heading(view.actionText(action), units_), 0, column);
+        int row = 1;
+        for (const int unit : shape_.units)
+            grid->addWidget(add(action, unit), row++, column);
+        ++column;
+    }
+    int row = 1;
+    for (const int unit : shape_.units) {
+        auto* name = new QLabel(view.unitText(unit), units_);
+        name->setFont(textFont(metrics::kTextSize, QFont::DemiBold));
+        grid->addWidget(name, row++, 0);
+    }
+    grid->setColumnStretch(column, 1);
+}
+
+void SimPanel::addShared() {
+    QGridLayout* grid = clean(shared_);
+    shared_->setVisible(shape_.session != 0);
+    int place = 0;
+    for (const SimAction& action : shape_.actions) {
+        if (action.perUnit) continue;
+        const int row = place / kPairs;
+        const int column = place % kPairs * 2;
+        auto* name = new QLabel(bench().view()->actionText(action), shared_);
+        grid->addWidget(name, row, column);
+        grid->addWidget(add(action, -1), row, column + 1);
+        ++place;
+    }
+    grid->setColumnStretch(2 * kPairs - 1, 1);
+}
+
+SimActionControl* SimPanel::add(const SimAction& action, int unit) {
+    const SystemView& view = *bench().view();
+    const QString what = view.actionText(action);
+    const QString name = unit < 0 ? what : tr("%1, %2").arg(what, view.unitText(unit));
+    auto* control =
+        new SimActionControl(action, view.actionChoices(action), name, unit < 0 ? shared_ : units_);
+    const QString id = QLatin1String("sim-") + QString::fromStdString(action.name);
+    control->setObjectName(unit < 0 ? id : QStringLiteral("%1-%2").arg(id).arg(unit));
+    connect(control, &SimActionControl::asked, this,
+            [this, action, unit](double value) { perform(action, unit, value); });
+    controls_[{action.name, unit}] = control;
+    return control;
+}
+
+void SimPanel::perform(const SimAction& action, int unit, double value) {
+    bench().submit(SimPerform{action.name, unit, value}, this,
+                   [this](const Result<void>& result) { showAnswer(result); });
+}
+
+void SimPanel::showAnswer(const Result<void>& result) {
+    notice_->setVisible(!result.has_value());
+    notice_->setText(result ? QString() : describe(result.error()).line());
+}
+
+}  // namespace kickstand::ui
