@@ -10,6 +10,7 @@
 #include "ui/thunderbots/faults_panel.h"
 #include "ui/thunderbots/leds_panel.h"
 #include "ui/thunderbots/robots_panel.h"
+#include "ui/thunderbots/voltages_panel.h"
 #include "ui/thunderbots/words.h"
 
 namespace kickstand::ui {
@@ -78,6 +79,8 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
         {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
          [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
+        {QStringLiteral("voltages"), Words::tr("Voltages"), QString::fromLatin1(kHelpPage), PanelPlace::Below,
+         [&choice](Bench& bench) -> Panel* { return new VoltagesPanel(bench, choice); }},
         {QStringLiteral("leds"), Words::tr("Test LEDs"), QString::fromLatin1(kHelpPage), PanelPlace::Aside,
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
         {QStringLiteral("experiment"), Words::tr("Experiment data"), QString::fromLatin1(kHelpPage),
