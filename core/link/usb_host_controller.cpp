@@ -61,7 +61,7 @@ UsbTransferId UsbHostController::out(std::uint8_t endpoint, ByteView data, bool 
     transfer.done = std::move(done);
     if (pipe && !data.empty()) {
         const std::size_t size = pipe->packetSize();
-        transfer.packets = data.size() / size;
+        transfer.packets = static_cast<std::uint32_t>(data.size() / size);
         if (data.size() % size != 0 || zeroPacket) ++transfer.packets;
     }
     return submit(pipe, std::move(transfer));
@@ -287,14 +287,14 @@ void UsbHostController::tell(Message message) {
 void UsbHostController::deliver() {
     const std::weak_ptr alive(alive_);
     // What a callback asks for may end right here too, after that callback has returned.
-    while (!outbox_.empty()) {
-        const Message message = std::move(outbox_.front());
-        outbox_.pop_front();
+    for (std::size_t i = 0; i < outbox_.size(); ++i) {
+        const Message message = std::move(outbox_[i]);
         if (message.done)
             message.done({.status = message.status, .data = message.data, .actual = message.actual});
         if (message.callback) message.callback();
         if (alive.expired()) return;
     }
+    outbox_.clear();
     deliveryAsked_ = false;
 }
 

@@ -70,8 +70,8 @@ class UsbHostController final : private UsbDeviceListener {
         UsbTransferId id = 0;
         std::vector<std::uint8_t> data;  ///< What is to be sent, or what has come in so far.
         std::size_t size = 0;            ///< Of an IN transfer: what is asked for at most.
-        std::size_t packets = 1;         ///< Of an OUT transfer, as the next.
-        std::size_t packetsSent = 0;
+        std::uint32_t packets = 1;       ///< Of an OUT transfer, as the next.
+        std::uint32_t packetsSent = 0;
         UsbCallback done;
     };
     struct Control {
@@ -128,7 +128,7 @@ class UsbHostController final : private UsbDeviceListener {
     std::uint64_t losses_ = 0;  ///< How often the device was pulled out.
     TimerId frameTimer_ = 0;
     Frame armedFor_ = 0;
-    std::deque<Message> outbox_;
+    std::vector<Message> outbox_;  ///< Emptied as a whole, so that it is made once.
     bool deliveryAsked_ = false;
     std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);
 };
