@@ -46,12 +46,12 @@ QJsonObject Ended::object() const {
     return all.size() == 1 ? all[0].toObject() : QJsonObject();
 }
 
-bool Ended::oneComplaint() const {
-    return err.starts_with("kickstandctl: ") && err.find('\n') == err.size() - 1;
+bool Ended::oneComplaint(const std::string& program) const {
+    return err.starts_with(program + ": ") && err.find('\n') == err.size() - 1;
 }
 
-Program::Program(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), KICKSTANDCTL);
+Program::Program(std::vector<std::string> arguments, const char* executable) {
+    arguments.insert(arguments.begin(), executable);
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments)
@@ -64,7 +64,7 @@ Program::Program(std::vector<std::string> arguments) {
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, outWrite, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, errWrite, STDERR_FILENO);
-    EXPECT_EQ(posix_spawn(&pid_, KICKSTANDCTL, &actions, nullptr, argv.data(), environ), 0);
+    EXPECT_EQ(posix_spawn(&pid_, executable, &actions, nullptr, argv.data(), environ), 0);
     posix_spawn_file_actions_destroy(&actions);
     ::close(outWrite);
     ::close(errWrite);
@@ -152,8 +152,8 @@ Ended Program::end() {
     return ended_;
 }
 
-Ended run(std::vector<std::string> arguments) {
-    return Program(std::move(arguments)).end();
+Ended run(std::vector<std::string> arguments, const char* executable) {
+    return Program(std::move(arguments), executable).end();
 }
 
 Ended runSimulated(std::vector<std::string> arguments) {

@@ -19,14 +19,15 @@ struct Ended {
     std::vector<QJsonValue> values() const;
     /// The one JSON object that standard output is.
     QJsonObject object() const;
-    /// Whether there is exactly one line on standard error.
-    bool oneComplaint() const;
+    /// Whether there is exactly one line on standard error, from the program of this name.
+    bool oneComplaint(const std::string& program = "kickstandctl") const;
 };
 
-/// kickstandctl, started. Every wait is for something that happens, under a watchdog that ends the program.
+/// kickstandctl, or another program, started. Every wait is for something that happens, under a watchdog that
+/// ends the program.
 class Program {
   public:
-    explicit Program(std::vector<std::string> arguments);
+    explicit Program(std::vector<std::string> arguments, const char* executable = KICKSTANDCTL);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -34,6 +35,8 @@ class Program {
     /// Reads until this stands on standard output. False when the program ended, or the watchdog did it.
     bool waitFor(const std::string& text);
     void signal(int number) const;
+    /// What came on standard output so far.
+    const std::string& out() const { return ended_.out; }
     /// Leaves no room on standard output, as a reader does who has stopped reading.
     void fillPipe() const;
     /// Waits, reading nothing, until the program has ended; its exit code.
@@ -53,8 +56,8 @@ class Program {
     Ended ended_;
 };
 
-/// Runs kickstandctl to its end.
-Ended run(std::vector<std::string> arguments);
+/// Runs kickstandctl, or another program, to its end.
+Ended run(std::vector<std::string> arguments, const char* executable = KICKSTANDCTL);
 /// The same over simulated robots: `--link sim:thunderbots?robots=0-3` before the arguments.
 Ended runSimulated(std::vector<std::string> arguments);
 
