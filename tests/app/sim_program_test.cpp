@@ -58,8 +58,8 @@ class SimProgram : public testing::Test {
         return show(number)[QStringLiteral("robots")][0].toObject();
     }
     bool socketIsThere() const {
-        struct stat facts = {};
-        return ::lstat(socket.c_str(), &facts) == 0;
+        struct stat file = {};
+        return ::lstat(socket.c_str(), &file) == 0;
     }
 
     std::string folder;
