@@ -20,6 +20,7 @@ struct UsbipExport {
 /// models, which must outlive it.
 class UsbipExports {
   public:
+    /// One exported device.
     struct Entry {
         usbip::Device device;
         UsbDeviceModel* model = nullptr;
@@ -33,6 +34,7 @@ class UsbipExports {
     std::vector<usbip::Device> present() const;
     /// The entry of that name, plugged in or not; null where there is none. It stays where it is.
     Entry* find(const std::string& busId);
+    /// Whether somebody has imported one.
     bool anyTaken() const;
 
   private:
