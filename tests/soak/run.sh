@@ -2,12 +2,13 @@
 # Runs one soak in full, on a release build, and prints its figures as JSON:
 #   run.sh thunderbots-day [HOURS] [SEED]
 #   run.sh unplug [loopback|usbip] [MOMENTS] [SEED]
+#   run.sh usb-guest      a real Linux USB stack in qemu; prints a line a check
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 usage() {
-    echo "usage: $0 thunderbots-day [HOURS] [SEED] | unplug [loopback|usbip] [MOMENTS] [SEED]" >&2
+    echo "usage: $0 thunderbots-day [HOURS] [SEED] | unplug [loopback|usbip] [MOMENTS] [SEED] | usb-guest" >&2
     exit 2
 }
 
@@ -15,6 +16,7 @@ usage() {
 case "$1" in
 thunderbots-day) program=thunderbots_day ;;
 unplug) program=unplug ;;
+usb-guest) exec tests/soak/usb-guest/run.sh ;;
 *) usage ;;
 esac
 shift
