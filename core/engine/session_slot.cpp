@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace {
 
 /// Often enough to be watched by a person.
 constexpr Duration kSimReadEvery = std::chrono::milliseconds(100);
+/// Finer steps than these of a quantity are no news.
+constexpr double kSimSteps = 1000;
 
 std::optional<Mark> markOf(const thunderbots::Event& event) {
     using Kind = thunderbots::EventKind;
@@ -86,7 +89,7 @@ bool SessionSlot::readSim(TimePoint now) {
     for (const SimAction& action : made_.sim->actions()) {
         for (const int unit : action.perUnit ? units : std::vector{-1}) {
             if (const auto value = made_.sim->value(action.name, unit))
-                readings.push_back({action.name, unit, *value});
+                readings.push_back({action.name, unit, std::round(*value * kSimSteps) / kSimSteps});
         }
     }
     return std::exchange(simReadings_, std::move(readings)) != simReadings_;

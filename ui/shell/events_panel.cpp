@@ -134,6 +134,7 @@ void EventsPanel::addActions() {
     };
     add(tr("Copy"), QKeySequence::Copy, &EventsPanel::copySelection);
     QAction* explain = add(tr("Explain"), QKeySequence(Qt::Key_Return), [this] { explainCurrent(); });
+    explain->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
     add(tr("Save all that is shown\u2026"), QKeySequence::Save, &EventsPanel::save);
     view_->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(view_, &QTableView::doubleClicked, this, &EventsPanel::explainCurrent);

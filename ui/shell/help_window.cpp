@@ -19,6 +19,16 @@ constexpr int kParagraphGap = 8;
 constexpr int kHeadingGap = 18;
 constexpr int kCellPadding = 6;
 
+/// As forges make a heading's anchor: "Why does it not work?" is "why-does-it-not-work".
+QString anchorOf(const QString& heading) {
+    QString anchor;
+    for (const QChar c : heading.toLower()) {
+        if (c.isLetterOrNumber()) anchor += c;
+        if (c.isSpace() || c == u'-') anchor += u'-';
+    }
+    return anchor;
+}
+
 /// Gives a page that was read from Markdown the room that it has in print.
 void setOut(QTextDocument& page, const Tokens& tokens) {
     QTextCursor cursor(&page);
@@ -84,8 +94,21 @@ void HelpWindow::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
+void HelpWindow::showHeading(const QString& anchor) {
+    if (anchor.isEmpty()) return;
+    for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || anchorOf(block.text()) != anchor) continue;
+        // To the end first, so that going back to the heading brings it to the top.
+        browser_->moveCursor(QTextCursor::End);
+        browser_->setTextCursor(QTextCursor(block));
+        return;
+    }
+}
+
 void HelpWindow::showPage(const QString& page) {
-    browser_->setSource(QUrl(QStringLiteral("qrc:/help/") + page), QTextDocument::MarkdownResource);
+    const QUrl url(QStringLiteral("qrc:/help/") + page);
+    browser_->setSource(url.adjusted(QUrl::RemoveFragment), QTextDocument::MarkdownResource);
+    showHeading(url.fragment());
     show();
     raise();
     activateWindow();

@@ -12,12 +12,15 @@ class HelpWindow final : public QWidget {
   public:
     explicit HelpWindow(QWidget* parent = nullptr);
 
+    /// "bench-guide.md#events": a heading is brought to the top.
     void showPage(const QString& page);
 
   protected:
     void changeEvent(QEvent* event) override;
 
   private:
+    void showHeading(const QString& anchor);
+
     QTextBrowser* browser_;
 };
 

@@ -40,10 +40,11 @@ void Workbench::addPanels() {
         for (const PanelEntry& entry : view->panels())
             addPanel(entry);
     }
-    addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md"), PanelPlace::Bottom,
-              [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
-    addPanel({QStringLiteral("simulated"), tr("Simulated robots"), QStringLiteral("bench-guide.md"),
-              PanelPlace::Work, [](Bench& bench) -> Panel* { return new SimPanel(bench); }});
+    addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md#events"),
+              PanelPlace::Bottom, [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
+    addPanel({QStringLiteral("simulated"), tr("Simulated robots"),
+              QStringLiteral("bench-guide.md#simulated-robots"), PanelPlace::Work,
+              [](Bench& bench) -> Panel* { return new SimPanel(bench); }});
     simulated_ = docks_.back();
     placePanels();
     followSession();

@@ -167,7 +167,7 @@ void ExperimentPanel::refresh() {
                              "experiment has ended; nothing here starts one.")
                               .arg(robot()));
     refused_->setVisible(buffer.rejected > 0);
-    refused_->setText(tr("Refused, because their offset was past 224: %1 message(s).").arg(buffer.rejected));
+    refused_->setText(tr("Messages refused, because their offset was past 224: %1.").arg(buffer.rejected));
     for (QPushButton* button : {copy_, save_}) {
         if (button != nullptr) button->setEnabled(any);
     }

@@ -70,7 +70,7 @@ QString FaultsModel::cell(const Row& row, int column) const {
         case Meaning:
             return QString::fromUtf8(row.fault.text);
         case Seen:
-            return row.seen == 0 ? QString() : tr("%n time(s)", nullptr, row.seen);
+            return row.seen == 0 ? QString() : tr("%1 \u00d7").arg(row.seen);
         default:
             return {};
     }

@@ -219,15 +219,13 @@ void LedsPanel::refresh() {
     const QString reason = reasonNotTo(snapshot);
     for (QWidget* control : std::initializer_list<QWidget*>{class_, target_, way_, normal_})
         control->setEnabled(reason.isEmpty());
-    if (reason.isEmpty() && bench().client().isStopped() && chosenWay_ == TestModeWay::DriveBlock &&
-        refusal_.isEmpty()) {
-        refusal_ = tr("Stopped: drive blocks only brake. Re-arm, or send a message.");
-    } else if (!bench().client().isStopped() && !reason.isEmpty()) {
-        refusal_.clear();
-    }
     setNote(choice_.chosen() == 0 ? tr("no robot chosen") : robotsText(choice_.chosen()));
-    showTold(snapshot == nullptr ? Snapshot{} : *snapshot);
-    const QString notice = reason.isEmpty() ? refusal_ : reason;
+    static const Snapshot nothing;
+    showTold(snapshot == nullptr ? nothing : *snapshot);
+    const bool onlyBrakes = bench().client().isStopped() && chosenWay_ == TestModeWay::DriveBlock;
+    const QString stopped =
+        onlyBrakes ? tr("Stopped: drive blocks only brake. Re-arm, or send a message.") : QString();
+    const QString notice = !reason.isEmpty() ? reason : !refusal_.isEmpty() ? refusal_ : stopped;
     notice_->setText(notice);
     notice_->setVisible(!notice.isEmpty());
     notice_->setForegroundRole(reason.isEmpty() ? QPalette::WindowText : QPalette::PlaceholderText);

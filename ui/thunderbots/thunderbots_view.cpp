@@ -25,6 +25,11 @@ struct Words {
 
 constexpr const char* kHelpPage = "bench-guide.md";
 
+/// The guide's page at one of its headings.
+QString help(const char* anchor) {
+    return QLatin1String(kHelpPage) + u'#' + QLatin1String(anchor);
+}
+
 LinkUri simulation(std::map<std::string, std::string> options) {
     LinkUri uri;
     uri.scheme = "sim";
@@ -81,11 +86,11 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
         {QStringLiteral("voltages"), Words::tr("Voltages"), QString::fromLatin1(kHelpPage), PanelPlace::Below,
          [&choice](Bench& bench) -> Panel* { return new VoltagesPanel(bench, choice); }},
-        {QStringLiteral("leds"), Words::tr("Test LEDs"), QString::fromLatin1(kHelpPage), PanelPlace::Aside,
+        {QStringLiteral("leds"), Words::tr("Test LEDs"), help("test-leds"), PanelPlace::Aside,
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
-        {QStringLiteral("experiment"), Words::tr("Experiment data"), QString::fromLatin1(kHelpPage),
+        {QStringLiteral("experiment"), Words::tr("Experiment data"), help("experiment-data"),
          PanelPlace::Work, [&choice](Bench& bench) -> Panel* { return new ExperimentPanel(bench, choice); }},
-        {QStringLiteral("faults"), Words::tr("Fault codes"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
+        {QStringLiteral("faults"), Words::tr("Fault codes"), help("fault-codes"), PanelPlace::Work,
          [](Bench& bench) -> Panel* { return new FaultsPanel(bench); }},
     };
 }

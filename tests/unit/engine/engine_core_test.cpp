@@ -76,6 +76,23 @@ TEST_F(EngineCoreTest, PublishesOnlyWhatHasChanged) {
     EXPECT_EQ(snapshot()->stop, StopReason::Person);
 }
 
+TEST_F(EngineCoreTest, PublishesWhatTheSimulatorsQuantitiesAre) {
+    ASSERT_TRUE(rig.connect());
+    const auto reading = [this](const char* action, int unit) {
+        for (const SimReading& one : snapshot()->sessions[0].simReadings) {
+            if (one.action == action && one.unit == unit) return one.value;
+        }
+        return -1.0;
+    };
+    EXPECT_EQ(snapshot()->sessions[0].simUnits, (std::vector<int>{0, 1}));
+    rig.simulate("loss", 0.25);
+    rig.simulate("capacitor", 120, 1);
+    rig.advance(150ms);
+    EXPECT_EQ(reading("loss", -1), 0.25);
+    EXPECT_NEAR(reading("capacitor", 1), 120, 1);
+    EXPECT_EQ(reading("experiment", 0), -1) << "it has no quantity";
+}
+
 TEST_F(EngineCoreTest, OpensASessionAndClosesIt) {
     const CommandId connect = rig.give(Connect{uriOf("sim:thunderbots")}, 7);
     rig.advance(20ms);

@@ -15,6 +15,7 @@ TEST(SimActions, EveryActionTakesItsBoundsAndNothingOutside) {
     SimControl& control = host.sim.control();
     const auto actions = control.actions();
     EXPECT_EQ(actions.size(), 14U);
+    EXPECT_EQ(control.units(), std::vector<int>{0});
     for (const SimAction& action : actions) {
         const int unit = action.perUnit ? 0 : -1;
         if (action.name != "stall") {

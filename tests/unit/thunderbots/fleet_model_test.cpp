@@ -218,6 +218,17 @@ TEST_F(FleetModelTest, ReportsExperimentOffsetsPastTheLastLegalOne) {
     EXPECT_FALSE(of(EventKind::Malformed).empty());
 }
 
+TEST_F(FleetModelTest, ForgetsTheExperimentOfOneRobotAlone) {
+    begin();
+    const std::vector<std::uint8_t> payload(33, 7);
+    for (const int robot : {1, 2})
+        wire.message(Endpoint::MessageIn, robot, wire::Pipe::Indicator, payload);
+    model.clearExperiment(1);
+    EXPECT_TRUE(robot(1).experiment.known.none());
+    EXPECT_EQ(robot(1).experiment.messages, 0U);
+    EXPECT_EQ(robot(2).experiment.known.count(), 32U);
+}
+
 TEST_F(FleetModelTest, KnowsWhatEachRobotWasToldOnThisConnection) {
     begin();
     wire::DriveBlock block;
@@ -254,6 +265,24 @@ TEST_F(FleetModelTest, CountsKicksGivenAndRemembersTheTestMode) {
     const wire::TestMode mode{wire::TestClass::Hall, 5};
     wire.message(Endpoint::MessageOut, 2, wire::Pipe::TestMode, wire::encodeTestMode(mode).value());
     EXPECT_EQ(robot(2).toldTestMode, mode);
+    EXPECT_EQ(robot(2).toldTestModeAt, wire.now());
+}
+
+TEST_F(FleetModelTest, KnowsSinceWhenADriveBlockHasAskedForATestMode) {
+    begin();
+    wire::DriveBlock block = wire::brakedBlock();
+    block.testClass = 3;
+    block.testTarget = 2;
+    wire.drive(4, block);
+    const TimePoint asked = wire.now();
+    EXPECT_EQ(robot(4).blockTestModeAt, asked);
+    block.dribble = true;
+    wire.drive(4, block);
+    EXPECT_EQ(robot(4).blockTestModeAt, asked) << "the same mode goes on";
+    block.testTarget = 3;
+    wire.drive(4, block);
+    EXPECT_EQ(robot(4).blockTestModeAt, wire.now());
+    EXPECT_FALSE(robot(4).toldTestMode) << "no message was sent";
 }
 
 TEST_F(FleetModelTest, ReadsChannelsAndVersionsOffTheControlTransfers) {
