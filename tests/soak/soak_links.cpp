@@ -22,7 +22,8 @@ constexpr Duration kDelay = 200us;
 std::unique_ptr<UsbLink> SoakLinks::make(UsbDeviceModel& device, Scheduler& scheduler) {
     if (!overUsbip_) return std::make_unique<LoopbackUsbLink>(scheduler, device);
     // The one device and its name are sound.
-    if (!hall_) hall_.emplace(*UsbipExports::make(std::vector<UsbipExport>{{kBusId, &device}}));
+    if (!hall_)
+        hall_ = UsbipHall{.exports = *UsbipExports::make(std::vector<UsbipExport>{{kBusId, &device}})};
     UsbMatch match;
     match.vendor = wire::kVendorId;
     match.product = wire::kDongleProductId;

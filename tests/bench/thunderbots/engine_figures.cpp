@@ -209,6 +209,7 @@ int measureEngine(const BenchedLink& benched, int count, char** arguments) {
         return 2;
     }
     std::vector<double> starts;
+    starts.reserve(static_cast<std::size_t>(benched.starts) + 1);
     for (int i = 0; i < benched.starts; ++i)
         starts.push_back(EngineBench(benched).connect_ms());
     EngineBench bench(benched);
