@@ -41,7 +41,7 @@ export QT_QPA_PLATFORM=offscreen
 if asks_for_no_window "$@"; then
     exec "$program" "$@"
 fi
-say "There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set): running the tour offscreen instead"
+say "There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set): running the tour offscreen instead${*:+, without $*}"
 mkdir -p build/tour
-"$program" --tour build/tour "$@" || die "the tour failed with exit code $?; its own words are above."
+"$program" --tour build/tour || die "the tour failed with exit code $?; its own words are above."
 say "The pictures of the tour are in $PWD/build/tour"

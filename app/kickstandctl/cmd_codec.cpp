@@ -103,6 +103,23 @@ Outcome encode(const Context& context) {
     return {};
 }
 
+/// Every message, each with its fields on the line below.
+QString messageList() {
+    QString text = Words::tr("Messages and their fields:") + QLatin1Char('\n');
+    for (const wire::MessageSpec& message : wire::messages()) {
+        QStringList fields;
+        for (const wire::FieldSpec& field : message.fields) {
+            // What a person neither gives nor needs to read.
+            const bool fixed =
+                field.kind == wire::FieldKind::Reserved || field.kind == wire::FieldKind::Opcode;
+            if (!fixed) fields.append(QString::fromUtf8(field.name));
+        }
+        text += QStringLiteral("  %1\n      %2\n")
+                    .arg(QString::fromUtf8(message.name), fields.join(QLatin1Char(' ')));
+    }
+    return text;
+}
+
 constexpr std::array kDecodeOptions{OptionSpec{
     "--units", "",
     QT_TRANSLATE_NOOP("kickstandctl", "with --json: add volts, µs and names beside the raw numbers")}};
@@ -110,20 +127,18 @@ constexpr std::array kDecodeOptions{OptionSpec{
 constexpr CommandSpec kCommands[] = {
     {"decode", "MESSAGE HEX…", 2, kAnyNumber,
      QT_TRANSLATE_NOOP("kickstandctl", "Takes a message apart into its fields. Works offline."),
-     QT_TRANSLATE_NOOP(
-         "kickstandctl",
-         "Spaces and colons between bytes may be there or not. A wrong name as MESSAGE lists what there is."),
-     kDecodeOptions, "decode thunderbots.kick cb 80 00", decode},
+     QT_TRANSLATE_NOOP("kickstandctl", "Spaces and colons between bytes may be there or not."),
+     kDecodeOptions, "decode thunderbots.kick cb 80 00", decode, messageList},
     {"encode",
      "MESSAGE [FIELD=VALUE]…",
      1,
      kAnyNumber,
      QT_TRANSLATE_NOOP("kickstandctl", "Puts a message together from its fields. Works offline."),
-     QT_TRANSLATE_NOOP("kickstandctl",
-                       "Fields that are left out are zero. A wrong name as FIELD lists what there is."),
+     QT_TRANSLATE_NOOP("kickstandctl", "Fields that are left out are zero."),
      {},
      "encode thunderbots.drive run=1 wheel1=40 wheel3=-36",
-     encode},
+     encode,
+     messageList},
 };
 
 }  // namespace

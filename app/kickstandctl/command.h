@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <map>
 #include <optional>
 #include <span>
@@ -35,6 +36,8 @@ struct CommandSpec {
     std::span<const OptionSpec> options;
     const char* example;  ///< Without "kickstandctl" itself.
     Outcome (*run)(const Context& context);
+    /// What its own help lists besides, ready to print; null for nothing.
+    QString (*list)() = nullptr;
 };
 
 /// Every command, in the order in which --help lists them.

@@ -86,6 +86,7 @@ QString commandHelp(const CommandSpec& command) {
         }
         text += QLatin1Char('\n') + Words::tr("Options:") + QLatin1Char('\n') + columns(rows);
     }
+    if (command.list != nullptr) text += QLatin1Char('\n') + command.list();
     text += QLatin1Char('\n') + Words::tr("For all commands:") + QLatin1Char('\n') + globalOptions();
     text +=
         QLatin1Char('\n') +

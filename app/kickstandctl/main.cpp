@@ -42,6 +42,11 @@ int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     const auto invocation = parseArguments(arguments);
     if (invocation) return run(*invocation);
+    // A script that asked for JSON gets a value whatever was wrong with the rest.
+    if (std::find(arguments.begin(), arguments.end(), "--json") != arguments.end()) {
+        Interruption interruption;
+        Output(true, interruption).value(QJsonObject{{QStringLiteral("error"), toJson(invocation.error())}});
+    }
     Output::complain(invocation.error());
     return invocation.error().exitCode;
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/kickstandctl/arguments.h"
+#include "core/thunderbots/wire/fields.h"
 
 namespace kickstand::ctl {
 namespace {
@@ -41,6 +42,14 @@ TEST(Help, ShowsEveryOptionOfACommand) {
         }
         for (const char* global : {"--link URI", "--json", "--help", "--version"})
             EXPECT_TRUE(help.contains(QLatin1String(global))) << command.name << global;
+    }
+}
+
+TEST(Help, OfTheCodecListsEveryMessage) {
+    for (const char* command : {"decode", "encode"}) {
+        const QString help = helpText(command);
+        for (const auto& message : thunderbots::wire::messages())
+            EXPECT_TRUE(help.contains(QString::fromUtf8(message.name))) << message.name;
     }
 }
 

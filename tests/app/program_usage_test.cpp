@@ -24,6 +24,15 @@ TEST_P(ProgramUsage, IsRefusedInOneLineWithExitTwo) {
     EXPECT_EQ(ended.out, "");
 }
 
+TEST_P(ProgramUsage, GivesAScriptOneJsonValue) {
+    std::vector<std::string> arguments = GetParam().arguments;
+    arguments.insert(arguments.begin(), "--json");
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.exitCode, 2);
+    EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+    EXPECT_TRUE(ended.object().contains(QLatin1String("error"))) << ended.out;
+}
+
 const std::string kSim = "--link=sim:thunderbots?robots=0-3";
 
 const BadUsage kCommandLines[] = {
