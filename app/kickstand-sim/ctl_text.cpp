@@ -28,7 +28,7 @@ QString valueText(const QJsonObject& action) {
 
 void printActions(ctl::Output& output, const QJsonObject& answer) {
     QList<QStringList> rows{{Words::tr("action"), Words::tr("of"), Words::tr("value")}};
-    for (const QJsonValue& each : answer[QStringLiteral("actions")].toArray()) {
+    for (const auto& each : answer[QStringLiteral("actions")].toArray()) {
         const QJsonObject action = each.toObject();
         rows.append({action[QStringLiteral("name")].toString(),
                      action[QStringLiteral("of")].toString(QStringLiteral("-")).toUpper(),

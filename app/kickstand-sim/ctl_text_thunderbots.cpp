@@ -8,7 +8,7 @@ namespace {
 
 QString numbers(const QJsonValue& array, const QString& between) {
     QStringList texts;
-    for (const QJsonValue& each : array.toArray())
+    for (const auto& each : array.toArray())
         texts << QString::number(each.toDouble());
     return texts.join(between);
 }
@@ -110,7 +110,7 @@ void printKicks(ctl::Output& output, const QJsonObject& robot) {
                              Words::tr("<start"),
                              Words::tr("<capacitor"),
                              {}}};
-    for (const QJsonValue& each : last) {
+    for (const auto& each : last) {
         const QJsonObject kick = each.toObject();
         rows.append({countText(kick[QStringLiteral("number")]),
                      Words::tr("%1 s").arg(kick[QStringLiteral("time_s")].toDouble(), 0, 'f', 3),
@@ -162,7 +162,7 @@ void printThunderbots(ctl::Output& output, const QJsonObject& answer, bool oneRo
     QList<QStringList> rows{{Words::tr("<robot"), Words::tr("power"), Words::tr("<battery"),
                              Words::tr("<capacitor"), Words::tr("<blocks"), Words::tr("<kicks"),
                              Words::tr("<last kick"), Words::tr("test mode"), Words::tr("told last")}};
-    for (const QJsonValue& robot : robots)
+    for (const auto& robot : robots)
         rows.append(row(robot.toObject()));
     output.table(rows);
 }

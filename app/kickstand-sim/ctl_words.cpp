@@ -43,7 +43,7 @@ ctl::Expected<QJsonValue> readUnit(const std::string& word, const QString& unitN
 ctl::Expected<QJsonObject> actionRequest(std::span<const std::string> words, const QJsonObject& actions) {
     const QString name = QString::fromStdString(words.front());
     QStringList names{QStringLiteral("actions"), QStringLiteral("show"), QStringLiteral("flash")};
-    for (const QJsonValue& each : actions[QStringLiteral("actions")].toArray()) {
+    for (const auto& each : actions[QStringLiteral("actions")].toArray()) {
         const QJsonObject action = each.toObject();
         names << action[QStringLiteral("name")].toString();
         if (names.back() != name) continue;

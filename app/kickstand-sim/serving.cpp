@@ -93,7 +93,7 @@ ctl::Outcome serveUntilTold(const Invocation& invocation, const Make& make) {
     ThreadScheduler scheduler;
     Opening opening(scheduler, log, invocation);
     Stage stage;
-    const ctl::Outcome opened = runOn(scheduler, [&] { return opening.open(make, stage); });
+    ctl::Outcome opened = runOn(scheduler, [&] { return opening.open(make, stage); });
     if (opened) log.event("ended by " + ending.wait());
     runOn(scheduler, [&] {
         stage.control.reset();

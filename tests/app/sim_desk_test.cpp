@@ -163,7 +163,7 @@ TEST_F(Desk, DoesWhatTheActionsSay) {
     EXPECT_EQ(answer[QStringLiteral("id")], 7);
     EXPECT_EQ(answer[QStringLiteral("units")].toArray(), QJsonArray{3});
     QStringList names;
-    for (const QJsonValue& action : answer[QStringLiteral("actions")].toArray())
+    for (const auto& action : answer[QStringLiteral("actions")].toArray())
         names << action[QStringLiteral("name")].toString();
     for (const char* name : {"ball", "battery", "dead", "kill", "revive", "stall", "unplug", "replug"})
         EXPECT_TRUE(names.contains(QLatin1String(name))) << name;
