@@ -30,8 +30,12 @@ void WireLog::readState(ByteView packet) {
 
 void WireLog::readMessage(ByteView packet) {
     const std::lock_guard lock(mutex_);
-    if (!packet.empty() && (packet[0] & 0x0F) == static_cast<int>(wire::Pipe::Kick))
-        kicks_.push_back(packet[0] >> 4);
+    if (packet.empty()) return;
+    const int robot = packet[0] >> 4;
+    const int pipe = packet[0] & 0x0F;
+    if (pipe == static_cast<int>(wire::Pipe::Kick)) kicks_.push_back(robot);
+    if (pipe == static_cast<int>(wire::Pipe::TestMode) && packet.size() == 3)
+        testModes_.push_back({robot, packet[1], packet[2]});
 }
 
 void WireLog::clear() {
@@ -39,6 +43,7 @@ void WireLog::clear() {
     for (auto& blocks : blocks_)
         blocks.clear();
     kicks_.clear();
+    testModes_.clear();
 }
 
 std::vector<wire::DriveBlock> WireLog::blocks(int robot) const {
@@ -56,6 +61,11 @@ std::optional<wire::DriveBlock> WireLog::last(int robot) const {
 std::vector<int> WireLog::kicks() const {
     const std::lock_guard lock(mutex_);
     return kicks_;
+}
+
+std::vector<std::array<int, 3>> WireLog::testModes() const {
+    const std::lock_guard lock(mutex_);
+    return testModes_;
 }
 
 }  // namespace kickstand::test

@@ -97,12 +97,24 @@ void Workbench::placePanels() {
             if (above != nullptr) splitDockWidget(above, first, Qt::Vertical);
             above = first;
         }
-        first->show();
-        for (QDockWidget* dock : docks.mid(1)) {
-            tabifyDockWidget(first, dock);
+    }
+    // Only now: what is split off a dock that has tabs would become one of them.
+    for (const PanelPlace place :
+         {PanelPlace::Side, PanelPlace::Work, PanelPlace::Below, PanelPlace::Bottom, PanelPlace::Aside}) {
+        const QList<QDockWidget*> docks = docksAt(place);
+        for (QDockWidget* dock : docks) {
+            if (dock != docks.front()) tabifyDockWidget(docks.front(), dock);
             dock->show();
         }
-        first->raise();
+    }
+    raiseFirst();
+}
+
+void Workbench::raiseFirst() {
+    for (const PanelPlace place :
+         {PanelPlace::Work, PanelPlace::Aside, PanelPlace::Below, PanelPlace::Bottom}) {
+        const QList<QDockWidget*> docks = docksAt(place);
+        if (!docks.isEmpty()) docks.front()->raise();
     }
 }
 
@@ -132,7 +144,10 @@ void Workbench::sizePanels() {
 void Workbench::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     // Only now is there a size to share out.
-    if (!std::exchange(sized_, true)) sizePanels();
+    if (!std::exchange(sized_, true)) {
+        sizePanels();
+        raiseFirst();
+    }
 }
 
 PanelDock* Workbench::focusedDock() const {
@@ -156,7 +171,9 @@ void Workbench::resetLayout() {
         removeDockWidget(dock);
     }
     placePanels();
+    followSession();
     sizePanels();
+    raiseFirst();
 }
 
 }  // namespace kickstand::ui

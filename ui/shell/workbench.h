@@ -32,6 +32,7 @@ class Workbench final : public QMainWindow {
     void addPanel(const PanelEntry& entry);
     void placePanels();
     void sizePanels();
+    void raiseFirst();
     void go(const QString& panel, const QString& detail);
     void followSession();
     QList<QDockWidget*> docksAt(PanelPlace place) const;

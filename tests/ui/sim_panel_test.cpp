@@ -1,0 +1,138 @@
+// Simulated robots: every action of the simulator from a control, and its present value back in it.
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include "tests/ui/bench_rig.h"
+#include "ui/shell/sim_action_control.h"
+#include "ui/widgets/segmented.h"
+
+namespace kickstand::test {
+namespace {
+
+using namespace thunderbots;
+
+class SimPanelTest : public BenchTest {
+  protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        rig.bench().goTo(QStringLiteral("simulated"));
+        rig.clickRobot(2);
+    }
+    template <class Widget>
+    Widget* in(const QString& control) {
+        auto* found = rig.find<ui::SimActionControl>(control);
+        return found == nullptr ? nullptr : found->findChild<Widget*>();
+    }
+    static void type(QDoubleSpinBox* box, const QString& text) {
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    bool waitForRobot(const std::function<bool(const RobotState&)>& holds) {
+        return rig.waitForSnapshot([&holds](const Snapshot& snapshot) { return holds(snapshot.robots[2]); });
+    }
+    bool waitForValue(const QString& control, double value) {
+        return waitUntil([&, this] { return std::abs(in<QDoubleSpinBox>(control)->value() - value) < 0.11; });
+    }
+};
+
+TEST_F(SimPanelTest, ABallIsPutInAndTakenOut) {
+    auto* ball = in<ui::Segmented>(QStringLiteral("sim-ball-2"));
+    EXPECT_TRUE(waitUntil([ball] { return ball->current() == 1; }));
+    ball->button(0)->click();
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return robot.readings.ball; }));
+    EXPECT_TRUE(waitUntil([ball] { return ball->current() == 0; }));
+    ball->button(1)->click();
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return !robot.readings.ball; }));
+}
+
+TEST_F(SimPanelTest, NumbersAreTypedAndFollowWhatIs) {
+    type(in<QDoubleSpinBox>(QStringLiteral("sim-battery-2")), QStringLiteral("14.5"));
+    EXPECT_TRUE(waitForRobot(
+        [](const RobotState& robot) { return std::abs(robot.readings.battery_V - 14.5) < 0.1; }));
+    type(in<QDoubleSpinBox>(QStringLiteral("sim-capacitor-2")), QStringLiteral("120"));
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return robot.readings.capacitor_V > 110; }));
+    rig.simulate("temperature", 2, 61);
+    EXPECT_TRUE(waitForValue(QStringLiteral("sim-temperature-2"), 61));
+}
+
+TEST_F(SimPanelTest, ARobotIsSwitchedOffAndOn) {
+    auto* power = in<ui::Segmented>(QStringLiteral("sim-dead-2"));
+    power->button(0)->click();
+    ASSERT_TRUE(waitForRobot([](const RobotState& robot) { return !robot.live; }));
+    EXPECT_TRUE(waitUntil([power] { return power->current() == 0; }));
+    power->button(1)->click();
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return robot.live; }));
+}
+
+TEST_F(SimPanelTest, ExperimentDataIsSent) {
+    in<QAbstractButton>(QStringLiteral("sim-experiment-2"))->click();
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return robot.experiment.known.all(); }));
+}
+
+TEST_F(SimPanelTest, TheEmergencyStopAndThePlug) {
+    auto* stop = in<ui::Segmented>(QStringLiteral("sim-e-stop"));
+    EXPECT_TRUE(waitUntil([stop] { return stop->current() == 0; }));
+    stop->button(1)->click();
+    EXPECT_TRUE(rig.waitForSnapshot([](const Snapshot& s) { return s.eStop == wire::EStop::Stop; }));
+    auto* plug = in<ui::Segmented>(QStringLiteral("sim-plugged"));
+    plug->button(1)->click();
+    EXPECT_TRUE(rig.waitForSnapshot([](const Snapshot& s) { return s.link == LinkState::Searching; }));
+    EXPECT_TRUE(waitUntil([plug] { return plug->current() == 1; }));
+    plug->button(0)->click();
+    EXPECT_TRUE(rig.waitForSnapshot([](const Snapshot& s) { return s.link == LinkState::Running; }));
+}
+
+TEST_F(SimPanelTest, LossIsAShareInPercent) {
+    type(in<QDoubleSpinBox>(QStringLiteral("sim-loss")), QStringLiteral("20"));
+    const auto loss = [this] {
+        for (const SimReading& reading : rig.bench().session()->simReadings) {
+            if (reading.action == "loss") return reading.value;
+        }
+        return -1.0;
+    };
+    EXPECT_TRUE(waitUntil([&loss] { return std::abs(loss() - 0.2) < 1e-9; }));
+}
+
+TEST_F(SimPanelTest, AnEndpointIsStalledAndACodeQueued) {
+    auto* endpoints = in<QComboBox>(QStringLiteral("sim-stall"));
+    endpoints->setCurrentIndex(endpoints->findData(0x85));
+    in<QAbstractButton>(QStringLiteral("sim-stall"))->click();
+    EXPECT_TRUE(rig.waitForSnapshot([](const Snapshot& s) { return s.traffic.stalls > 0; }));
+    in<QDoubleSpinBox>(QStringLiteral("sim-error"))->setValue(40);
+    in<QAbstractButton>(QStringLiteral("sim-error"))->click();
+    EXPECT_TRUE(rig.waitForSnapshot([](const Snapshot& s) { return s.traffic.dongleErrors > 0; }));
+}
+
+TEST_F(SimPanelTest, EachChosenRobotHasARow) {
+    rig.clickRobot(4, Qt::ControlModifier);
+    EXPECT_NE(rig.find<ui::SimActionControl>(QStringLiteral("sim-ball-4")), nullptr);
+    rig.clickRobot(9);
+    EXPECT_EQ(rig.window().findChild<QWidget*>(QStringLiteral("sim-ball-9")), nullptr);
+    EXPECT_TRUE(rig.find<QLabel>(QStringLiteral("simHint"))->isVisible());
+}
+
+TEST_F(SimPanelTest, EveryActionOfTheSimulatorHasAControl) {
+    for (const SimAction& action : rig.bench().session()->simActions) {
+        const QString id = QStringLiteral("sim-") + QString::fromStdString(action.name);
+        EXPECT_NE(rig.find<ui::SimActionControl>(action.perUnit ? id + QStringLiteral("-2") : id), nullptr);
+    }
+}
+
+TEST(SimPanel, IsNotThereForHardware) {
+    BenchRig rig;
+    ASSERT_TRUE(rig.connectTo("usb:"));
+    EXPECT_FALSE(rig.find<QDockWidget>(QStringLiteral("simulated"))->isVisible());
+    ASSERT_TRUE(rig.connectTo());
+    EXPECT_FALSE(rig.find<QDockWidget>(QStringLiteral("simulated"))->isHidden());
+}
+
+}  // namespace
+}  // namespace kickstand::test
