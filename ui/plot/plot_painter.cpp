@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QPainter>
+#include <QPixmapCache>
 #include <algorithm>
 #include <cmath>
 
@@ -33,11 +34,41 @@ void drawLabel(QPainter& painter, const QRectF& rect, const QString& text, const
     painter.drawText(rect, static_cast<int>(alignment | Qt::AlignVCenter) | Qt::TextSingleLine, text);
 }
 
+QString cursorText(const Cursors& cursors) {
+    return PlotText::tr("A \u2192 B  \u0394t %1").arg(durationText(cursors.delta()));
+}
+
 double luminanceOf(const QColor& ground) {
     return 0.299 * ground.redF() + 0.587 * ground.greenF() + 0.114 * ground.blueF();
 }
 
+/// A label in its box. Text is laid out anew whenever it is drawn, so that the same few labels, many times a
+/// second, are kept as pictures.
+QPixmap tagPicture(const QPainter& painter, const QString& text, const QColor& fill, QColor ink) {
+    if (!ink.isValid()) ink = luminanceOf(fill) > 0.5 ? Qt::black : Qt::white;
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QString key = QStringLiteral("plot-tag/%1/%2/%3/%4").arg(text, fill.name(), ink.name()).arg(ratio);
+    QPixmap picture;
+    if (QPixmapCache::find(key, &picture)) return picture;
+    const QSize size(QFontMetrics(painter.font()).horizontalAdvance(text) + 8, kTagHeight - 1);
+    picture = QPixmap(size * ratio);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(fill);
+    QPainter inner(&picture);
+    inner.setFont(painter.font());
+    inner.setPen(ink);
+    inner.drawText(QRect(QPoint(), size), Qt::AlignCenter, text);
+    inner.end();
+    QPixmapCache::insert(key, picture);
+    return picture;
+}
+
 }  // namespace
+
+PlotFonts plotFonts() {
+    return {textFont(kFontSize), textFont(kFontSize, QFont::DemiBold),
+            numberFont(kFontSize, QFont::DemiBold)};
+}
 
 double PlotGeometry::xOf(const TimeView& view, TimePoint time) const {
     const QRect& rect = areas.front();
@@ -62,7 +93,7 @@ int PlotGeometry::areaAt(double y) const {
 }
 
 void PlotPainter::paintUnder(QPainter& painter) const {
-    painter.setFont(textFont(kFontSize));
+    painter.setFont(fonts_.text);
     for (std::size_t i = 0; i < geometry_.areas.size(); ++i)
         paintThresholds(painter, i);
 }
@@ -87,7 +118,7 @@ void PlotPainter::paintThresholds(QPainter& painter, std::size_t area) const {
 
 void PlotPainter::paintOver(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setFont(textFont(kFontSize));
+    painter.setFont(fonts_.text);
     paintMarks(painter);
     for (std::size_t i = 0; i < geometry_.areas.size(); ++i) {
         paintTitle(painter, i);
@@ -99,10 +130,10 @@ void PlotPainter::paintOver(QPainter& painter) const {
 
 void PlotPainter::paintTitle(QPainter& painter, std::size_t area) const {
     const QRect& rect = geometry_.areas[area];
-    painter.setFont(textFont(kFontSize, QFont::DemiBold));
+    painter.setFont(fonts_.strong);
     drawLabel(painter, QRectF(rect.left() + kTitleLeft, rect.top() + 1, rect.width(), kLabelHeight),
               state_.areas[area].area.title, t_.text, t_.surface);
-    painter.setFont(textFont(kFontSize));
+    painter.setFont(fonts_.text);
 }
 
 void PlotPainter::paintEnds(QPainter& painter, std::size_t area) const {
@@ -123,24 +154,24 @@ void PlotPainter::paintEnds(QPainter& painter, std::size_t area) const {
         const double y = geometry_.yOf(area, state_.areas[area].range, static_cast<double>(held->value));
         if (y >= rect.top() - 1 && y <= rect.bottom() + 1) ends.push_back({y, &curve});
     }
-    std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.y < b.y; });
+    // Values that are almost the same keep their order: noise does not shuffle their labels.
+    const auto step = [](const End& end) { return std::round(end.y * 2 / kTagHeight); };
+    std::stable_sort(ends.begin(), ends.end(),
+                     [step](const End& a, const End& b) { return step(a) < step(b); });
     std::vector<double> wanted;
     wanted.reserve(ends.size());
     for (const End& end : ends)
         wanted.push_back(end.y);
     const std::vector<double> places = spreadLabels(wanted, kTagHeight, rect.top(), rect.bottom() + 1);
-    painter.setFont(numberFont(kFontSize, QFont::DemiBold));
+    painter.setFont(fonts_.number);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const QColor colour = curveColour(ends[i].curve->colour, t_.dark);
         const bool last = i + 1 == places.size() && places.size() < ends.size();
         const QString text = last ? QStringLiteral("+%1").arg(ends.size() - i) : ends[i].curve->tag;
-        const int width = painter.fontMetrics().horizontalAdvance(text) + 8;
-        const QRectF tag(x, std::round(places[i] - kTagHeight / 2.0), width, kTagHeight - 1);
-        painter.fillRect(tag, last ? t_.grid : colour);
-        painter.setPen(last ? t_.text : luminanceOf(colour) > 0.5 ? QColor(Qt::black) : QColor(Qt::white));
-        painter.drawText(tag, Qt::AlignCenter, text);
+        const QPixmap tag = tagPicture(painter, text, last ? t_.grid : colour, last ? t_.text : QColor());
+        painter.drawPixmap(QPointF(x, std::round(places[i] - kTagHeight / 2.0)), tag);
     }
-    painter.setFont(textFont(kFontSize));
+    painter.setFont(fonts_.text);
 }
 
 void PlotPainter::line(QPainter& painter, double x, const QColor& colour, Qt::PenStyle style) const {
@@ -153,25 +184,34 @@ void PlotPainter::line(QPainter& painter, double x, const QColor& colour, Qt::Pe
 void PlotPainter::paintMarks(QPainter& painter) const {
     if (state_.store == nullptr || !state_.describeMark || geometry_.empty()) return;
     const auto marks = state_.store->marks().between(state_.view.begin(), state_.view.end());
-    if (!marks) return;
-    const QRect& top = geometry_.areas.front();
-    // Left of this a label stands already.
-    double free = top.left() + kTitleLeft +
-                  painter.fontMetrics().horizontalAdvance(state_.areas.front().area.title) * 1.15 + 10;
+    std::vector<ShownMark> shown;
     double before = -1;
-    for (const Mark& mark : *marks) {
+    for (const Mark& mark : marks.value_or(std::vector<Mark>{})) {
         const double x = std::floor(geometry_.xOf(state_.view, mark.time));
         // Of marks in one column the first is drawn; hovering tells of the others.
         if (x == before) continue;
-        const auto words = state_.describeMark(mark);
+        auto words = state_.describeMark(mark);
         if (!words) continue;
         before = x;
         line(painter, x, words->danger ? t_.danger : t_.muted, Qt::DotLine);
-        const int width = painter.fontMetrics().horizontalAdvance(words->label);
-        if (x + 4 < free || x + 4 + width > top.right()) continue;
-        drawLabel(painter, QRectF(x + 4, top.top() + 1, width + 2, kLabelHeight), words->label,
-                  words->danger ? t_.danger : t_.text, t_.surface);
-        free = x + 4 + width + 8;
+        shown.push_back({x, *std::move(words)});
+    }
+    paintMarkLabels(painter, shown);
+}
+
+void PlotPainter::paintMarkLabels(QPainter& painter, const std::vector<ShownMark>& marks) const {
+    const QRect& top = geometry_.areas.front();
+    // The area's title stands at the left, the time between the cursors at the right.
+    const QFontMetrics strong(fonts_.strong);
+    double free = top.left() + kTitleLeft + strong.horizontalAdvance(state_.areas.front().area.title) + 8;
+    double end = top.right();
+    if (state_.cursors.isShown()) end -= strong.horizontalAdvance(cursorText(state_.cursors)) + 20;
+    for (const ShownMark& mark : marks) {
+        const int width = painter.fontMetrics().horizontalAdvance(mark.words.label);
+        if (mark.x + 4 < free || mark.x + 4 + width > end) continue;
+        drawLabel(painter, QRectF(mark.x + 4, top.top() + 1, width + 2, kLabelHeight), mark.words.label,
+                  mark.words.danger ? t_.danger : t_.text, t_.surface);
+        free = mark.x + 4 + width + 8;
     }
 }
 
@@ -198,7 +238,7 @@ void PlotPainter::paintTrigger(QPainter& painter) const {
 void PlotPainter::paintCursors(QPainter& painter) const {
     if (!state_.cursors.isShown() || geometry_.empty()) return;
     const QRect& bottom = geometry_.areas.back();
-    painter.setFont(numberFont(kFontSize, QFont::DemiBold));
+    painter.setFont(fonts_.number);
     for (int i = 0; i < Cursors::kCount; ++i) {
         const TimePoint at = state_.cursors.at(i);
         if (at < state_.view.begin() || at > state_.view.end()) continue;
@@ -211,7 +251,7 @@ void PlotPainter::paintCursors(QPainter& painter) const {
         painter.setPen(active ? t_.onAccent : t_.accent);
         painter.drawText(flag, Qt::AlignCenter, name);
     }
-    const QString text = PlotText::tr("A \u2192 B  \u0394t %1").arg(durationText(state_.cursors.delta()));
+    const QString text = cursorText(state_.cursors);
     const QRect& top = geometry_.areas.front();
     drawLabel(painter, QRectF(top.left(), top.top() + 1, top.width() - 4, kLabelHeight), text, t_.accent,
               t_.surface, Qt::AlignRight);

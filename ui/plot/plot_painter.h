@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QRect>
 #include <vector>
 
@@ -26,20 +27,35 @@ struct PlotGeometry {
     int areaAt(double y) const;
 };
 
+/// The plot's small letters. Finding digits of one width takes time: made once a theme.
+struct PlotFonts {
+    QFont text;
+    QFont strong;
+    QFont number;
+};
+PlotFonts plotFonts();
+
 /// Draws what lies under and over the curves: thresholds; marks, cursors, trigger, labels.
 class PlotPainter {
   public:
-    PlotPainter(const PlotState& state, const PlotGeometry& geometry, const Tokens& tokens)
-        : state_(state), geometry_(geometry), t_(tokens) {}
+    PlotPainter(const PlotState& state, const PlotGeometry& geometry, const Tokens& tokens,
+                const PlotFonts& fonts)
+        : state_(state), geometry_(geometry), t_(tokens), fonts_(fonts) {}
 
     void paintUnder(QPainter& painter) const;
     void paintOver(QPainter& painter) const;
 
   private:
+    struct ShownMark {
+        double x;
+        MarkWords words;
+    };
+
     void paintThresholds(QPainter& painter, std::size_t area) const;
     void paintTitle(QPainter& painter, std::size_t area) const;
     void paintEnds(QPainter& painter, std::size_t area) const;
     void paintMarks(QPainter& painter) const;
+    void paintMarkLabels(QPainter& painter, const std::vector<ShownMark>& marks) const;
     void paintTrigger(QPainter& painter) const;
     void paintCursors(QPainter& painter) const;
     void line(QPainter& painter, double x, const QColor& colour, Qt::PenStyle style) const;
@@ -47,6 +63,7 @@ class PlotPainter {
     const PlotState& state_;
     const PlotGeometry& geometry_;
     const Tokens& t_;
+    const PlotFonts& fonts_;
 };
 
 /// The mark whose line is nearest to x, at most some pixels away.

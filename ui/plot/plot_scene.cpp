@@ -12,7 +12,9 @@ namespace {
 
 constexpr int kLeftRoom = 44;
 constexpr int kRightRoom = 40;
-constexpr int kTopRoom = 4;
+constexpr int kTopRoom = 8;
+/// Labels of neighbouring areas do not touch.
+constexpr int kBetween = 6;
 constexpr int kBottomRoom = 20;
 constexpr int kFontSize = 11;
 /// No more than one label in so many pixels.
@@ -89,7 +91,7 @@ PlotScene::PlotScene(QCustomPlot& plot, PlotState& state)
     const auto painted = [this](void (PlotPainter::*paint)(QPainter&) const) {
         return [this, paint](QPainter& painter) {
             const PlotGeometry geometry = this->geometry();
-            const PlotPainter plotPainter(state_, geometry, tokensOf(plot_.palette()));
+            const PlotPainter plotPainter(state_, geometry, tokensOf(plot_.palette()), fonts_);
             (plotPainter.*paint)(painter);
         };
     };
@@ -116,7 +118,7 @@ void PlotScene::rebuild() {
 void PlotScene::addArea(int index, bool last) {
     auto* rect = new QCPAxisRect(&plot_, false);
     rect->setAutoMargins(QCP::msNone);
-    rect->setMargins(QMargins(kLeftRoom, kTopRoom, kRightRoom, last ? kBottomRoom : kTopRoom));
+    rect->setMargins(QMargins(kLeftRoom, kTopRoom, kRightRoom, last ? kBottomRoom : kBetween));
     rect->setMinimumSize(0, 0);
     rect->setRangeDrag({});
     rect->setRangeZoom({});
@@ -125,6 +127,8 @@ void PlotScene::addArea(int index, bool last) {
     time->setTicker(timeTicker_);
     time->setTickLabels(last);
     for (QCPAxis* axis : {time, value}) {
+        axis->setLayer(QStringLiteral("axes"));
+        axis->grid()->setLayer(QStringLiteral("grid"));
         axis->setSubTicks(false);
         axis->setTickLength(0);
         axis->setTickLabelPadding(4);
@@ -152,6 +156,7 @@ bool PlotScene::eventFilter(QObject* watched, QEvent* event) {
 
 void PlotScene::recolour() {
     const Tokens& t = tokensOf(plot_.palette());
+    fonts_ = plotFonts();
     plot_.setBackground(QBrush(t.surface));
     for (QCPAxisRect* rect : rects_) {
         for (QCPAxis* axis : rect->axes())

@@ -40,6 +40,7 @@ class PlotScene final : public QObject {
 
     QCustomPlot& plot_;
     PlotState& state_;
+    PlotFonts fonts_;
     QSharedPointer<QCPAxisTicker> timeTicker_;
     std::vector<QCPAxisRect*> rects_;
     std::vector<SpanPlottable*> spans_;

@@ -47,8 +47,9 @@ void SpanImage::fill(int column, const Column& span, QRgb colour, const ValueRow
 
 void SpanImage::copyOut(int place, int count) {
     const int rows = this->rows();
-    for (int row = 0; row < rows; ++row) {
-        auto* out = reinterpret_cast<QRgb*>(image_.scanLine(row)) + place * stroke_;
+    uchar* line = image_.bits();
+    for (int row = 0; row < rows; ++row, line += image_.bytesPerLine()) {
+        auto* out = reinterpret_cast<QRgb*>(line) + place * stroke_;
         const QRgb* in = tile_.data() + row;
         for (int i = 0; i < count; ++i, in += rows)
             out = std::fill_n(out, stroke_, *in);

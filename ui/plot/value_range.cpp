@@ -1,8 +1,5 @@
 #include "ui/plot/value_range.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace kickstand::ui {
 
 namespace {
@@ -10,8 +7,6 @@ namespace {
 constexpr double kSmallestPart = 1e-5;
 constexpr double kLargest = 1e7;
 constexpr double kAir = 0.08;
-/// Far outside of any picture, and far inside of what an int holds.
-constexpr double kFarthestRow = 1e6;
 
 }  // namespace
 
@@ -38,11 +33,6 @@ ValueRange widened(const ValueRange& usual, double least, double most) {
     const double below = std::ceil(std::max(usual.low - least, 0.0) / step);
     const double above = std::ceil(std::max(most - usual.high, 0.0) / step);
     return {usual.low - below * step, usual.high + above * step};
-}
-
-int ValueRows::rowOf(float value) const {
-    const double row = (high_ - static_cast<double>(value)) * scale_ + 0.5;
-    return static_cast<int>(std::floor(std::clamp(row, -kFarthestRow, kFarthestRow)));
 }
 
 }  // namespace kickstand::ui

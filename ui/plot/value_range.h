@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 namespace kickstand::ui {
 
 /// What a value axis shows, from its lower to its upper end.
@@ -29,9 +32,15 @@ class ValueRows {
     ValueRows(const ValueRange& range, int rows) : high_(range.high), scale_((rows - 1) / range.size()) {}
 
     /// The row of a value; it may lie outside.
-    int rowOf(float value) const;
+    int rowOf(float value) const {
+        const double row = (high_ - static_cast<double>(value)) * scale_ + 0.5;
+        return static_cast<int>(std::floor(std::clamp(row, -kFarthest, kFarthest)));
+    }
 
   private:
+    /// Far outside of any picture, and far inside of what an int holds.
+    static constexpr double kFarthest = 1e6;
+
     double high_;
     double scale_;
 };

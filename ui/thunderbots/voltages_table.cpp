@@ -60,6 +60,7 @@ class CurveHeader final : public QHeaderView {
         setFont(textFont(metrics::kSmallTextSize));
         setSectionResizeMode(QHeaderView::Fixed);
         setMinimumSectionSize(10);
+        setStretchLastSection(true);
         setFixedHeight(kRowHeight);
     }
 
