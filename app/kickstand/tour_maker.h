@@ -56,5 +56,7 @@ class TourMaker {
 
 /// Test LEDs, experiment data, events, fault codes, simulated robots, and why it does not work.
 void addLookingSteps(TourMaker& tour);
+/// The plots: cursors, a trigger, several robots. Robot 3 is chosen.
+void addVoltagesSteps(TourMaker& tour);
 
 }  // namespace kickstand::app

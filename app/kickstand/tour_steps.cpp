@@ -27,6 +27,7 @@ class Steps final : public TourMaker {
         connecting();
         driving();
         charging();
+        addVoltagesSteps(*this);
         addLookingSteps(*this);
         stopping();
         losing();
