@@ -60,10 +60,14 @@ void printLink(const Context& context, const SessionRunner& runner) {
     if (state.channels)
         radios +=
             Words::tr(", channels %1 and %2").arg(state.channels->channel0).arg(state.channels->channel1);
+    const QString away = state.roundTrip
+                             ? Words::tr("server %1 ms away").arg(seconds(*state.roundTrip) * 1000, 0, 'f', 1)
+                             : QString();
     context.output.table({
-        {Words::tr("link"), QString::fromStdString(toString(runner.uri())), deviceText(runner.uri(), state)},
-        {Words::tr("e-stop"), describe(state.eStop), QString()},
-        {Words::tr("radios"), radios, QString()},
+        {Words::tr("link"), QString::fromStdString(toString(runner.uri())), deviceText(runner.uri(), state),
+         away},
+        {Words::tr("e-stop"), describe(state.eStop), QString(), QString()},
+        {Words::tr("radios"), radios, QString(), QString()},
     });
 }
 

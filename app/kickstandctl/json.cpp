@@ -105,6 +105,8 @@ QJsonObject linkToJson(const LinkUri& uri, const thunderbots::Snapshot& state) {
                      {QStringLiteral("channels"), QJsonValue::Null}};
     if (state.channels)
         json[QStringLiteral("channels")] = QJsonArray{state.channels->channel0, state.channels->channel1};
+    if (state.roundTrip)
+        json[QStringLiteral("server_round_trip_ms")] = rounded(seconds(*state.roundTrip) * 1000);
     return json;
 }
 

@@ -65,7 +65,9 @@ Text linkEvent(const thunderbots::Event& event) {
         case EventKind::Disconnected:
             return information(Event::tr("disconnected"));
         case EventKind::LinkLost:
-            return danger(Event::tr("link lost: the device was unplugged or is without power"));
+            return danger(event.text.empty()
+                              ? Event::tr("link lost: the device was unplugged or is without power")
+                              : Event::tr("link lost: %1").arg(QString::fromStdString(event.text)));
         case EventKind::LinkFailed:
             return danger(Event::tr("link failed: %1").arg(reason(event.code, event.text)));
         case EventKind::Waiting:

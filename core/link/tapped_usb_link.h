@@ -30,6 +30,7 @@ class TappedUsbLink final : public UsbLink {
     void cancel(UsbTransferId id) override;
     void clearHalt(std::uint8_t endpoint, UsbCallback done) override;
     void setPresenceListener(std::function<void(bool present)> listener) override;
+    UsbLinkHealth health() const override { return inner_->health(); }
 
   private:
     UsbCallback observedControl(const UsbSetup& setup, ByteView data, UsbCallback done);

@@ -51,6 +51,9 @@ class UsbLink {
     /// (false). Before the latter every pending transfer has ended with NoDevice; with it the link counts as
     /// closed. A device that is there from the beginning is not told: open() finds it. One listener.
     virtual void setPresenceListener(std::function<void(bool present)> listener) = 0;
+
+    /// What is known of the way to the device.
+    virtual UsbLinkHealth health() const { return {}; }
 };
 
 }  // namespace kickstand

@@ -70,6 +70,12 @@ struct UsbCompletion {
 };
 using UsbCallback = std::function<void(const UsbCompletion&)>;
 
+/// What a link knows of the way to its device; nothing where the device hangs on this machine's own bus.
+struct UsbLinkHealth {
+    std::optional<Duration> roundTrip{};  ///< How long the server at the other end took to answer, lately.
+    std::string lostBecause{};            ///< Why the device was lost last, where that is known.
+};
+
 /// Identifies a transfer of one link. Zero is never given out.
 using UsbTransferId = std::uint64_t;
 

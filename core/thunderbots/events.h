@@ -12,7 +12,7 @@ namespace kickstand::thunderbots {
 enum class EventKind : std::uint8_t {
     Connected,      ///< The link runs; braked blocks have been sent to all robots.
     Disconnected,   ///< Closed on purpose.
-    LinkLost,       ///< Unplugged or gone.
+    LinkLost,       ///< Unplugged or gone. text: why, where the link knows.
     LinkFailed,     ///< text: the error's detail; code: its Errc.
     Waiting,        ///< No device yet; the session waits for one.
     EmergencyStop,  ///< code: the new state, previous: the old one.

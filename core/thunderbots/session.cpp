@@ -116,7 +116,7 @@ void Session::stateChanged() {
         if (sweeper_.running()) endSweep(Errc::Disconnected);
         resetConnection();
         host_.stop.set(StopReason::LinkLost);
-        raise(EventKind::LinkLost);
+        raise(EventKind::LinkLost, -1, 0, 0, link_.health().lostBecause);
     }
     if (state == LinkState::Running) {
         ++connections_;
@@ -246,6 +246,7 @@ Snapshot Session::snapshot() const {
     snapshot.link = controller_.state();
     snapshot.error = controller_.error();
     snapshot.device = controller_.device();
+    snapshot.roundTrip = link_.health().roundTrip;
     snapshot.cable = controller_.isCable();
     snapshot.eStop = model_.status().eStop;
     snapshot.radios = model_.status().radios;

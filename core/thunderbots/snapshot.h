@@ -110,6 +110,7 @@ struct Snapshot {
     LinkState link = LinkState::Idle;
     std::optional<Error> error;  ///< Why the link failed or waits.
     UsbDeviceInfo device;
+    std::optional<Duration> roundTrip;  ///< To a USB/IP server and back; none on this machine's own bus.
     bool cable = false;
     wire::EStop eStop = wire::EStop::Uninitialized;
     wire::RadioState radios = wire::RadioState::PreInit;

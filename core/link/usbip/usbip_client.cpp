@@ -15,7 +15,7 @@ using usbip::TransferStatus;
 // Silence is counted in ticks rather than measured, so that a pause of this program is not taken for one of
 // the server.
 constexpr Duration kTick = 500ms;
-constexpr int kTicksToProbe = 2;
+constexpr int kTicksBetweenProbes = 2;
 constexpr int kTicksToLoss = 6;
 /// Commands that a server may leave unread: far more than a bench ever has under way.
 constexpr std::size_t kMaxUnsentBytes = 4UL * 1024 * 1024;
@@ -190,6 +190,7 @@ Parse UsbipClient::takeReply(ByteView bytes) {
 Parse UsbipClient::takeUnlinkReply(const Reply& reply) {
     const auto unlink = unlinks_.extract(reply.sequence);
     if (unlink.empty()) return malformed("an answer to what was not asked");
+    if (reply.sequence == probe_) roundTrip_ = scheduler_.now() - probedAt_;
     // A transfer that ended before the unlink came has been answered already.
     if (transfers_.contains(unlink.mapped())) finish(unlink.mapped(), UsbStatus::Cancelled, {}, 0);
     return {Parse::Status::Complete, usbip::kReplySize, ""};
@@ -272,13 +273,14 @@ void UsbipClient::unlink(Sequence sequence) {
     sendUnlink(sequence);
 }
 
-void UsbipClient::sendUnlink(Sequence sequence) {
+UsbipClient::Sequence UsbipClient::sendUnlink(Sequence sequence) {
     Command command;
     command.kind = Command::Kind::Unlink;
     command.sequence = nextSequence();
     command.unlink = sequence;
     unlinks_[command.sequence] = sequence;
     send(command);
+    return command.sequence;
 }
 
 // ---- Silence and loss ----
@@ -292,7 +294,15 @@ void UsbipClient::tick() {
     if (!waiting) quietTicks_ = 0;
     if (quietTicks_ >= kTicksToLoss)
         return lose({.code = Errc::TimedOut, .subject = kSubject, .detail = "the server is silent"});
-    if (quietTicks_ == kTicksToProbe && lastEnded_ != 0 && unlinks_.empty()) sendUnlink(lastEnded_);
+    if (transfers_.empty() || ++ticksToProbe_ < kTicksBetweenProbes) return;
+    ticksToProbe_ = 0;
+    probe();
+}
+
+void UsbipClient::probe() {
+    if (lastEnded_ == 0 || !unlinks_.empty()) return;
+    probe_ = sendUnlink(lastEnded_);
+    probedAt_ = scheduler_.now();
 }
 
 void UsbipClient::lose(const Error& error) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace kickstand {
 /// no sense, answers what was not asked or brings more than was asked for ends the connection.
 ///
 /// A server that has said nothing for three seconds while something waits is taken for gone. So that a device
-/// which merely has nothing to say is not, the server is asked in between, by an unlink of a transfer that
-/// has ended, to which any server answers at once.
+/// which merely has nothing to say is not, the server is asked every second, by an unlink of a transfer that
+/// has ended, to which any server answers at once: that also tells how long a way it is.
 ///
 /// Everything on the scheduler's thread; no callback comes from inside a call, and any may destroy the
 /// client, which silences it.
@@ -52,6 +53,8 @@ class UsbipClient {
     Sequence in(std::uint8_t endpoint, std::size_t size, std::uint32_t interval, UsbCallback done);
     /// Asks the server to leave off a transfer; nothing where it has ended.
     void unlink(Sequence sequence);
+    /// How long the server took to answer when it was last asked; none before that.
+    std::optional<Duration> roundTrip() const { return roundTrip_; }
 
   private:
     enum class Phase : std::uint8_t { New, Listing, Importing, Transferring, Over };
@@ -76,7 +79,8 @@ class UsbipClient {
     Sequence nextSequence();
     void send(const usbip::Command& command);
     void finish(Sequence sequence, UsbStatus status, ByteView data, std::size_t actual);
-    void sendUnlink(Sequence sequence);
+    Sequence sendUnlink(Sequence sequence);
+    void probe();
     void tick();
     void lose(const Error& error);
     void loseTransfers();
@@ -95,6 +99,10 @@ class UsbipClient {
     Sequence lastEnded_ = 0;
     TimerId ticker_ = 0;
     int quietTicks_ = 0;
+    int ticksToProbe_ = 0;
+    Sequence probe_ = 0;  ///< The unlink that only asks.
+    TimePoint probedAt_{};
+    std::optional<Duration> roundTrip_;
     std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);
 };
 

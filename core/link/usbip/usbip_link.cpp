@@ -56,6 +56,7 @@ class UsbipLink final : public UsbLink {
     void cancel(UsbTransferId id) override;
     void clearHalt(std::uint8_t endpoint, UsbCallback done) override;
     void setPresenceListener(std::function<void(bool present)> listener) override;
+    UsbLinkHealth health() const override;
 
   private:
     enum class State : std::uint8_t { Closed, Opening, Open, Closing, Losing };
@@ -72,7 +73,7 @@ class UsbipLink final : public UsbLink {
     void imported(const Result<usbip::Device>& device);
     void openEnded(Result<UsbipDevice> opened);
     void shut(std::optional<bool> there);
-    void lost();
+    void lost(const Error& why);
     void forceClose();
 
     const UsbEndpointInfo* find(std::uint8_t endpoint) const;
@@ -103,6 +104,7 @@ class UsbipLink final : public UsbLink {
     TimerId timer_ = 0;  ///< While opening its deadline, while closing that.
     TimerId retry_ = 0;
     std::optional<TimePoint> released_;
+    std::string lostBecause_;
     /// While the link opens: what an opening before it asked for is void.
     std::shared_ptr<const bool> opening_;
     usbip::Speed speed_ = usbip::Speed::Unknown;
@@ -158,7 +160,7 @@ void UsbipLink::connected(Result<std::unique_ptr<ByteStream>> stream) {
     client_ = std::make_unique<UsbipClient>(scheduler_, std::move(*stream));
     client_->import(
         address_.busId, [this](const Result<usbip::Device>& device) { imported(device); },
-        [this](const Error&) { lost(); });
+        [this](const Error& why) { lost(why); });
 }
 
 void UsbipLink::imported(const Result<usbip::Device>& device) {
@@ -248,7 +250,12 @@ void UsbipLink::shut(std::optional<bool> there) {
     if (wasLost) tellPresence(false);
 }
 
-void UsbipLink::lost() {
+UsbLinkHealth UsbipLink::health() const {
+    return {.roundTrip = client_ ? client_->roundTrip() : std::nullopt, .lostBecause = lostBecause_};
+}
+
+void UsbipLink::lost(const Error& why) {
+    lostBecause_ = why.detail.empty() ? "the connection to the server ended" : why.detail;
     if (state_ == State::Opening) return openEnded(fail(Errc::Disconnected));
     if (state_ == State::Open) state_ = State::Losing;
     if (state_ == State::Losing) shut(false);

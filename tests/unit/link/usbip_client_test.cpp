@@ -363,6 +363,20 @@ TEST_F(UsbipClientTest, ASilentDeviceIsNotASilentServer) {
     EXPECT_TRUE(ended_[2].empty());
 }
 
+TEST_F(UsbipClientTest, TheWayToTheServerIsMeasured) {
+    import();
+    reply(in(1), TransferStatus::Ok);
+    in(2);
+    EXPECT_FALSE(client_->roundTrip());
+    asked_.clear();
+    ASSERT_TRUE(scheduler_.runUntil([this] { return !asked_.empty(); }, 2s));
+    scheduler_.advance(7ms);
+    replyUnlink(asked_.front().command.sequence, TransferStatus::Ok);
+    ASSERT_TRUE(client_->roundTrip());
+    EXPECT_GE(*client_->roundTrip(), 7ms);
+    EXPECT_LT(*client_->roundTrip(), 8ms);
+}
+
 TEST_F(UsbipClientTest, NobodyIsSilentWhileNothingIsAsked) {
     import();
     reply(in(1), TransferStatus::Ok);
