@@ -56,6 +56,8 @@ class TourMaker {
 
 /// Test LEDs, experiment data, events, fault codes, simulated robots, and why it does not work.
 void addLookingSteps(TourMaker& tour);
+/// A kick and what it did, a sweep, autokick: with the robot charged and a ball in its beam.
+void addKickingSteps(TourMaker& tour);
 /// The plots: cursors, a trigger, several robots. Robot 3 is chosen.
 void addVoltagesSteps(TourMaker& tour);
 

@@ -27,6 +27,7 @@ class Steps final : public TourMaker {
         connecting();
         driving();
         charging();
+        addKickingSteps(*this);
         addVoltagesSteps(*this);
         addLookingSteps(*this);
         stopping();

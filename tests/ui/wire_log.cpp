@@ -33,7 +33,10 @@ void WireLog::readMessage(ByteView packet) {
     if (packet.empty()) return;
     const int robot = packet[0] >> 4;
     const int pipe = packet[0] & 0x0F;
-    if (pipe == static_cast<int>(wire::Pipe::Kick)) kicks_.push_back(robot);
+    if (pipe == static_cast<int>(wire::Pipe::Kick)) {
+        kicks_.push_back(robot);
+        kickBytes_.emplace_back(packet.begin() + 1, packet.end());
+    }
     if (pipe == static_cast<int>(wire::Pipe::TestMode) && packet.size() == 3)
         testModes_.push_back({robot, packet[1], packet[2]});
 }
@@ -43,6 +46,7 @@ void WireLog::clear() {
     for (auto& blocks : blocks_)
         blocks.clear();
     kicks_.clear();
+    kickBytes_.clear();
     testModes_.clear();
 }
 
@@ -66,6 +70,11 @@ std::vector<int> WireLog::kicks() const {
 std::vector<std::array<int, 3>> WireLog::testModes() const {
     const std::lock_guard lock(mutex_);
     return testModes_;
+}
+
+std::vector<std::vector<std::uint8_t>> WireLog::kickBytes() const {
+    const std::lock_guard lock(mutex_);
+    return kickBytes_;
 }
 
 }  // namespace kickstand::test

@@ -25,6 +25,8 @@ class WireLog final : public UsbTapObserver {
     std::optional<thunderbots::wire::DriveBlock> last(int robot) const;
     /// Messages on the kick pipe since clear(), as robot numbers.
     std::vector<int> kicks() const;
+    /// Their bytes after the pipe, as they went.
+    std::vector<std::vector<std::uint8_t>> kickBytes() const;
     /// Messages on the test mode pipe since clear(): robot, class, target.
     std::vector<std::array<int, 3>> testModes() const;
     std::uint64_t packets() const { return packets_; }
@@ -36,6 +38,7 @@ class WireLog final : public UsbTapObserver {
     mutable std::mutex mutex_;
     std::array<std::vector<thunderbots::wire::DriveBlock>, thunderbots::kRobots> blocks_;
     std::vector<int> kicks_;
+    std::vector<std::vector<std::uint8_t>> kickBytes_;
     std::vector<std::array<int, 3>> testModes_;
     std::atomic<std::uint64_t> packets_{0};
 };

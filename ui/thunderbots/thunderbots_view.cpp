@@ -8,6 +8,8 @@
 #include "ui/thunderbots/drive_panel.h"
 #include "ui/thunderbots/experiment_panel.h"
 #include "ui/thunderbots/faults_panel.h"
+#include "ui/thunderbots/kick_log_panel.h"
+#include "ui/thunderbots/kick_panel.h"
 #include "ui/thunderbots/leds_panel.h"
 #include "ui/thunderbots/robots_panel.h"
 #include "ui/thunderbots/voltages_panel.h"
@@ -78,14 +80,19 @@ QString ThunderbotsView::name() const {
 
 std::vector<PanelEntry> ThunderbotsView::panels() const {
     RobotChoice& choice = *choice_;
+    KickSettings& kick = *kick_;
     return {
         {QStringLiteral("robots"), Words::tr("Robots"), QString::fromLatin1(kHelpPage),
          PanelPlace::Side,
          [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
         {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
          [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
+        {QStringLiteral("kick"), Words::tr("Kick"), help("kick"), PanelPlace::Work,
+         [&choice, &kick](Bench& bench) -> Panel* { return new KickPanel(bench, choice, kick); }},
         {QStringLiteral("voltages"), Words::tr("Voltages"), QString::fromLatin1(kHelpPage), PanelPlace::Below,
          [&choice](Bench& bench) -> Panel* { return new VoltagesPanel(bench, choice); }},
+        {QStringLiteral("kicks"), Words::tr("Kicks"), help("kick"), PanelPlace::Below,
+         [&choice, &kick](Bench& bench) -> Panel* { return new KickLogPanel(bench, choice, kick); }},
         {QStringLiteral("leds"), Words::tr("Test LEDs"), help("test-leds"), PanelPlace::Aside,
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
         {QStringLiteral("experiment"), Words::tr("Experiment data"), help("experiment-data"),
@@ -112,7 +119,8 @@ bool ThunderbotsView::owns(const SystemSnapshot& system) const {
 
 bool ThunderbotsView::isMoving(const SystemSnapshot& system) const {
     for (const RobotIntent& intent : std::get<Snapshot>(system).intents) {
-        if (intent.run || intent.dribbler || intent.charger || intent.autokick || intent.discharging)
+        if (intent.run || intent.dribbler || intent.charger || intent.autokick || intent.discharging ||
+            intent.sweeping)
             return true;
     }
     return false;

@@ -2,6 +2,7 @@
 
 #include "core/thunderbots/snapshot.h"
 #include "ui/shell/system_view.h"
+#include "ui/thunderbots/kick_settings.h"
 #include "ui/thunderbots/robot_choice.h"
 
 namespace kickstand::ui {
@@ -33,6 +34,7 @@ class ThunderbotsView final : public SystemView {
 
   private:
     std::unique_ptr<RobotChoice> choice_ = std::make_unique<RobotChoice>();
+    std::unique_ptr<KickSettings> kick_ = std::make_unique<KickSettings>();
 };
 
 }  // namespace kickstand::ui
