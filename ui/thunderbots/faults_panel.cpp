@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -25,6 +26,20 @@ constexpr int kCodeWidth = 84;
 constexpr int kAboutWidth = 128;
 constexpr int kMeaningWidth = 264;
 
+/// The line that is marked is tinted quietly, as in the list of events.
+class FaultDelegate final : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const Tokens& t = tokensOf(option->palette);
+        option->palette.setColor(QPalette::Highlight, t.accentSoft);
+        option->palette.setColor(QPalette::HighlightedText, t.text);
+    }
+};
+
 }  // namespace
 
 FaultsPanel::FaultsPanel(Bench& bench, QWidget* parent) : Panel(bench, parent), view_(new QTableView(this)) {
@@ -44,6 +59,7 @@ void FaultsPanel::buildView() {
     view_->setObjectName(QStringLiteral("faultList"));
     view_->setAccessibleName(tr("Fault codes"));
     view_->setModel(&filter_);
+    view_->setItemDelegate(new FaultDelegate(view_));
     view_->setFrameShape(QFrame::NoFrame);
     view_->setShowGrid(false);
     view_->setWordWrap(false);
