@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/composition/device_holder.h"
+#include "app/composition/udev_rule.h"
 #include "core/link/usb/libusb_link.h"
 #include "core/link/usb/usb_probe.h"
 #include "core/thunderbots/wire/dongle.h"
@@ -75,6 +76,7 @@ std::vector<FoundDevice> findHardware() {
             FoundDevice device{std::move(uri), probe.info, obstacleOf(probe)};
             if (device.obstacle && device.obstacle->code == Errc::ClaimedElsewhere)
                 device.holder = findHolder(probe.info.port);
+            device.rule = findUdevRule(probe.info.vendor, probe.info.product).value_or(std::string());
             found.push_back(std::move(device));
         }
     }

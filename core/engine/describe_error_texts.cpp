@@ -71,6 +71,9 @@ constexpr ErrorText kInput[] = {
 
 // Links and devices.
 constexpr ErrorText kDevices[] = {
+    {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "There is no device at {subject}: {detail}."),
+     QT_TRANSLATE_NOOP(
+         "Error", "Start what serves it (kickstand-sim, or usbipd on that machine), or check the address.")},
     {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "No dongle or cabled robot is plugged in[ ({subject})]."),
      QT_TRANSLATE_NOOP("Error", "Plug one in, or try a simulated one: sim:thunderbots.")},
     {Errc::SeveralDevices,

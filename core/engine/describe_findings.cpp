@@ -26,8 +26,21 @@ Description device(const Finding& finding) {
 }
 
 Description permission(const Finding& finding) {
-    if (finding.error) return describe(*finding.error);
-    return only(Words::tr("This user may open the device at %1.").arg(printable(finding.port)));
+    const QString rule = printable(finding.rule);
+    if (!finding.error && finding.rule.empty())
+        return only(Words::tr("This user may open the device at %1, without a udev rule.")
+                        .arg(printable(finding.port)));
+    if (!finding.error)
+        return only(Words::tr("This user may open the device at %1; the udev rule is %2.")
+                        .arg(printable(finding.port), rule));
+    Description words = describe(*finding.error);
+    if (finding.rule.empty()) return words;
+    words.what += QLatin1Char(' ') + Words::tr("The udev rule is there (%1).").arg(rule);
+    words.remedy = Words::tr(
+        "Unplug the device and plug it in again. Over ssh you must be a member of plugdev, and log in again "
+        "after:");
+    words.remedyCommand = QStringLiteral("sudo usermod -aG plugdev $USER");
+    return words;
 }
 
 Description claim(const Finding& finding) {

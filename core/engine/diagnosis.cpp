@@ -34,6 +34,7 @@ void addDevice(std::vector<Finding>& findings, const FoundDevice& device) {
     Finding permission = finding(Check::Permission, forbidden ? CheckState::Problem : CheckState::Ok);
     permission.port = device.info.port;
     if (forbidden) permission.error = device.obstacle;
+    permission.rule = device.rule;
     Finding claim = finding(Check::Claim, forbidden         ? CheckState::NotChecked
                                           : device.obstacle ? CheckState::Problem
                                                             : CheckState::Ok);

@@ -45,6 +45,7 @@ struct Finding {
     std::optional<LinkUri> link{};
     std::string port{};  ///< Where the device is on the bus.
     std::optional<DeviceHolder> holder{};
+    std::string rule{};  ///< The udev rule that is installed for the device.
     bool cable = false;
     thunderbots::LinkState linkState = thunderbots::LinkState::Idle;
     StopReason stop = StopReason::None;

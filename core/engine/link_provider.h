@@ -30,6 +30,8 @@ struct FoundDevice {
     std::optional<Error> obstacle{};
     /// For ClaimedElsewhere: who, as far as the system tells this user.
     std::optional<DeviceHolder> holder{};
+    /// The udev rule that is to let people open it, by its path; empty where there is none.
+    std::string rule{};
 };
 
 /// A link ready to be opened, with what it stands on.

@@ -57,6 +57,24 @@ TEST(DiagnoseDevices, PermissionComesWithItsCommand) {
     EXPECT_EQ(find(findings, Check::Claim).state, State::NotChecked);
 }
 
+TEST(DiagnoseDevices, ARuleThatIsThereIsNotToBeInstalledAgain) {
+    FoundDevice found = dongle(Errc::PermissionDenied);
+    found.rule = "/etc/udev/rules.d/60-kickstand.rules";
+    const Description words = describe(find(diagnoseDevices({found}), Check::Permission));
+    EXPECT_TRUE(words.what.contains(QStringLiteral("/etc/udev/rules.d/60-kickstand.rules")));
+    EXPECT_TRUE(words.remedyCommand.contains(QStringLiteral("plugdev")));
+    EXPECT_FALSE(words.remedyCommand.contains(QStringLiteral("tee")));
+}
+
+TEST(DiagnoseDevices, SaysWhichRuleLetsTheUserIn) {
+    FoundDevice found = dongle();
+    EXPECT_TRUE(
+        describe(find(diagnoseDevices({found}), Check::Permission)).what.contains(QStringLiteral("without")));
+    found.rule = "/lib/udev/rules.d/60-kickstand.rules";
+    EXPECT_TRUE(describe(find(diagnoseDevices({found}), Check::Permission))
+                    .what.contains(QStringLiteral("/lib/udev")));
+}
+
 TEST(DiagnoseDevices, NamesWhoHoldsIt) {
     FoundDevice held = dongle(Errc::ClaimedElsewhere);
     held.holder = DeviceHolder{4242, "soccer"};
