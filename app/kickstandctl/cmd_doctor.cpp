@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/composition/usb_links.h"
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/help.h"
 #include "app/kickstandctl/interruption.h"
@@ -57,7 +58,8 @@ Expected<std::vector<Line>> examine(const Context& context) {
     std::vector<Line> lines{program()};
     SessionRunner runner(context);
     std::optional<LinkUri> uri = context.invocation.link;
-    if (!uri || !uri->isSimulated()) {
+    // What is plugged in here has no say about a simulated device, or one on a server.
+    if (!uri || isHardware(*uri)) {
         const auto devices = runner.discover();
         if (!devices) return tl::unexpected(devices.error());
         append(lines, diagnoseDevices(*devices));
