@@ -1,5 +1,7 @@
 #include "ui/widgets/set_point_slider.h"
 
+#include <QApplication>
+#include <QKeyEvent>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -72,6 +74,46 @@ TEST_F(SetPointSliderTest, AResetTakesItOutOfTheHandSilently) {
     EXPECT_EQ(point.value(), 0);
     EXPECT_FALSE(point.isHeld());
     EXPECT_EQ(asked.count(), before);
+}
+
+class HeldKey : public SetPointSliderTest {
+  protected:
+    void send(QEvent::Type type, bool repeated) {
+        QKeyEvent event(type, Qt::Key_Right, Qt::NoModifier, QString(), repeated);
+        QApplication::sendEvent(point.slider(), &event);
+    }
+    void hold() {
+        send(QEvent::KeyPress, false);
+        send(QEvent::KeyRelease, true);
+        send(QEvent::KeyPress, true);
+    }
+};
+
+TEST_F(HeldKey, OneThatIsTappedIsNotHeldAndItsValueStays) {
+    send(QEvent::KeyPress, false);
+    send(QEvent::KeyRelease, false);
+    ASSERT_EQ(asked.count(), 1);
+    EXPECT_EQ(asked.last().at(0).toInt(), 1);
+    EXPECT_FALSE(asked.last().at(1).toBool());
+}
+
+TEST_F(HeldKey, OneThatRepeatsIsHeldAndGoesToZeroWhenItIsLetGo) {
+    hold();
+    EXPECT_EQ(asked.last().at(0).toInt(), 2);
+    EXPECT_TRUE(asked.last().at(1).toBool());
+    EXPECT_TRUE(point.isHeld());
+    send(QEvent::KeyRelease, false);
+    EXPECT_EQ(asked.last().at(0).toInt(), 0);
+    EXPECT_TRUE(asked.last().at(1).toBool());
+    EXPECT_FALSE(point.isHeld());
+}
+
+TEST_F(HeldKey, ALostReleaseEndsWithTheFocus) {
+    hold();
+    QFocusEvent gone(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
+    QApplication::sendEvent(point.slider(), &gone);
+    EXPECT_EQ(asked.last().at(0).toInt(), 0);
+    EXPECT_FALSE(point.isHeld());
 }
 
 TEST_F(SetPointSliderTest, TypingAndEnterAsksAndIsNotHeld) {

@@ -4,6 +4,8 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
+#include <algorithm>
+#include <cstddef>
 
 #include "ui/shell/bench.h"
 #include "ui/widgets/paint.h"
@@ -29,6 +31,23 @@ QPixmap boltPicture(const QWidget& widget) {
              QRectF(QPointF(kPicture.width() * 0.2, 0), QSizeF(kPicture.width() * 0.6, kPicture.height())),
              tokensOf(widget.palette()).danger);
     return picture;
+}
+
+/// What to do: a robot that is lost cannot be discharged from here.
+QString remedy(const std::vector<Hazard>& hazards) {
+    const auto lost = std::count_if(hazards.begin(), hazards.end(), [](const Hazard& h) { return h.stale; });
+    QStringList sentences{text("Everything has been braked.")};
+    if (lost < static_cast<std::ptrdiff_t>(hazards.size())) {
+        sentences << text(
+            "Before anybody touches a robot: stay, re-arm, arm its high voltage and choose Discharge "
+            "in the Drive panel.");
+    }
+    if (lost > 0) {
+        sentences << text(
+            "A robot that is not heard cannot be discharged from here: switch it on again and bring "
+            "it near, or treat it as live and measure before touching it.");
+    }
+    return sentences.join(u' ');
 }
 
 }  // namespace
@@ -66,10 +85,7 @@ QMessageBox* makeLiveWarning(const std::vector<Hazard>& hazards, TimePoint now, 
     box->setInformativeText(
         QStringLiteral("<table width=\"%1\"><tr><td><ul>%2</ul><p>%3</p></td></tr></table>")
             .arg(kTextWidth)
-            .arg(
-                list,
-                text("Everything has been braked. Before anybody touches a robot: stay, re-arm, arm its high "
-                     "voltage and choose Discharge in the Drive panel.")));
+            .arg(list, remedy(hazards)));
     QPushButton* stay = box->addButton(text("Stay"), QMessageBox::RejectRole);
     QPushButton* go = box->addButton(leave, QMessageBox::AcceptRole);
     stay->setObjectName(QStringLiteral("stay"));

@@ -1,6 +1,7 @@
 #include "ui/widgets/center_slider.h"
 
 #include <QEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -102,6 +103,16 @@ void CenterSlider::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void CenterSlider::wheelEvent(QWheelEvent* event) {
     event->ignore();
+}
+
+void CenterSlider::keyPressEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat() && !isSliderDown()) setSliderDown(true);
+    QAbstractSlider::keyPressEvent(event);
+}
+
+void CenterSlider::keyReleaseEvent(QKeyEvent* event) {
+    if (!event->isAutoRepeat()) letGo();
+    QAbstractSlider::keyReleaseEvent(event);
 }
 
 void CenterSlider::hideEvent(QHideEvent* event) {

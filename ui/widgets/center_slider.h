@@ -6,7 +6,8 @@ namespace kickstand::ui {
 
 /// A slider whose zero is in the middle and whose track is filled from there. It is pulled, not jumped:
 /// wherever it is pressed, the value moves with the pointer from where it was, so that a press alone never
-/// sets anything in motion. The mouse wheel is left to the page.
+/// sets anything in motion. A key that is held pulls it too, until it is let go; one that is tapped does not.
+/// The mouse wheel is left to the page.
 class CenterSlider final : public QAbstractSlider {
     Q_OBJECT
   public:
@@ -33,6 +34,8 @@ class CenterSlider final : public QAbstractSlider {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;

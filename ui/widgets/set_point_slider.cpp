@@ -31,7 +31,9 @@ SetPointSlider::SetPointSlider(const QString& name, QWidget* parent)
     label->setMinimumWidth(kNameWidth);
     label->setBuddy(field_);
     slider_->setAccessibleName(tr("%1, slider").arg(name));
-    slider_->setToolTip(tr("Pull to drive. Double-click for zero. Arrow keys change it by one."));
+    slider_->setToolTip(
+        tr("Pull to drive. Double-click for zero. An arrow key changes it by one; held down, it pulls the "
+           "slider."));
     field_->setAccessibleName(name);
     field_->setToolTip(tr("Type a number and press Enter. Double-click the slider for zero."));
     field_->setFixedWidth(kFieldWidth);
@@ -80,6 +82,10 @@ void SetPointSlider::setReached(int value) {
 
 void SetPointSlider::setMeaning(const QString& text) {
     if (meaning_->text() != text) meaning_->setText(text);
+}
+
+void SetPointSlider::setDecimals(int decimals) {
+    field_->setDecimals(decimals);
 }
 
 int SetPointSlider::value() const {

@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QWheelEvent>
+#include <cmath>
 
 #include "ui/widgets/tokens.h"
 
@@ -11,9 +12,11 @@ namespace kickstand::ui {
 namespace {
 
 constexpr QChar kMinus(0x2212);
+/// Past any range, and still a whole number.
+constexpr double kLargest = 1e15;
 
 QString plain(QString text) {
-    return text.replace(kMinus, u'-').trimmed();
+    return text.replace(kMinus, u'-').replace(u',', u'.').trimmed();
 }
 
 }  // namespace
@@ -38,29 +41,46 @@ bool SignedSpinBox::event(QEvent* event) {
     return QSpinBox::event(event);
 }
 
+void SignedSpinBox::setDecimals(int decimals) {
+    decimals_ = decimals;
+    lineEdit()->setText(textFromValue(value()));
+}
+
+std::optional<qint64> SignedSpinBox::parse(const QString& text) const {
+    bool isNumber = false;
+    if (decimals_ == 0) {
+        const qint64 whole = text.toLongLong(&isNumber);
+        return isNumber ? std::optional(whole) : std::nullopt;
+    }
+    const double number = text.toDouble(&isNumber) * std::pow(10, decimals_);
+    if (!isNumber || !(std::abs(number) < kLargest)) return std::nullopt;
+    return std::llround(number);
+}
+
 QString SignedSpinBox::textFromValue(int value) const {
-    return signedNumber(value);
+    if (decimals_ == 0) return signedNumber(value);
+    return QString::number(value / std::pow(10, decimals_), 'f', decimals_).replace(u'-', kMinus);
 }
 
 int SignedSpinBox::valueFromText(const QString& text) const {
-    return plain(text).toInt();
+    return static_cast<int>(qBound(qint64{minimum()}, parse(plain(text)).value_or(0), qint64{maximum()}));
 }
 
 QValidator::State SignedSpinBox::validate(QString& text, int&) const {
     const QString number = plain(text);
     if (number.isEmpty() || number == u"-") return QValidator::Intermediate;
-    bool isNumber = false;
-    const qlonglong wanted = number.toLongLong(&isNumber);
-    if (!isNumber || number.contains(u'+')) return QValidator::Invalid;
+    if (decimals_ > 0 && (number == u"." || number == u"-.")) return QValidator::Intermediate;
+    const auto wanted = parse(number);
+    if (!wanted || number.contains(u'+') || number.contains(u'e', Qt::CaseInsensitive))
+        return QValidator::Invalid;
     // A number past the end can still be shortened; Enter takes it to the nearest end.
-    return wanted >= minimum() && wanted <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    return *wanted >= minimum() && *wanted <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 void SignedSpinBox::fixup(QString& text) const {
-    bool isNumber = false;
-    const qlonglong number = plain(text).toLongLong(&isNumber);
-    const qlonglong nearest = qBound(qlonglong{minimum()}, number, qlonglong{maximum()});
-    text = textFromValue(isNumber ? static_cast<int>(nearest) : value());
+    const auto number = parse(plain(text));
+    const qint64 nearest = qBound(qint64{minimum()}, number.value_or(value()), qint64{maximum()});
+    text = textFromValue(static_cast<int>(nearest));
 }
 
 void SignedSpinBox::focusOutEvent(QFocusEvent* event) {

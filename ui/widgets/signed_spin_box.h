@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QSpinBox>
+#include <optional>
 
 namespace kickstand::ui {
 
@@ -12,6 +13,9 @@ class SignedSpinBox final : public QSpinBox {
   public:
     explicit SignedSpinBox(QWidget* parent = nullptr);
 
+    /// Shows the value with so many places after the point: 235 as "2.35".
+    void setDecimals(int decimals);
+
   protected:
     bool event(QEvent* event) override;
     QString textFromValue(int value) const override;
@@ -20,6 +24,12 @@ class SignedSpinBox final : public QSpinBox {
     void fixup(QString& text) const override;
     void focusOutEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+
+  private:
+    /// The value that a text stands for, whether it is in range or not; none for what is no number.
+    std::optional<qint64> parse(const QString& text) const;
+
+    int decimals_ = 0;
 };
 
 }  // namespace kickstand::ui
