@@ -270,7 +270,7 @@ TEST_F(DriveTest, ARobotThatIsNotHeardCannotBeDrivenAndThePanelSaysSo) {
     rig.clickRobot(9);
     ASSERT_TRUE(rig.settle());
     EXPECT_FALSE(wheel(1)->isEnabled());
-    EXPECT_TRUE(rig.find<QLabel>(QStringLiteral("notice"))->text().contains(QStringLiteral("not heard")));
+    EXPECT_TRUE(rig.find<QLabel>(QStringLiteral("notice"))->text().contains(QStringLiteral("Not heard")));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "tests/ui/bench_rig.h"
 #include "ui/thunderbots/robot_tile.h"
+#include "ui/thunderbots/tile_layout.h"
 
 namespace kickstand::test {
 namespace {
@@ -21,14 +22,21 @@ class LayoutTest : public BenchTest {
     }
 };
 
-TEST_F(LayoutTest, AllSixteenTilesAreVisibleAtTheSmallestSizeAndDoNotOverlap) {
+TEST_F(LayoutTest, AllSixteenTilesAreVisibleAtTheSmallestSizeWithBannersAndDoNotOverlap) {
     ASSERT_TRUE(resizeTo({1280, 800}));
+    rig.client().stop(StopReason::Person);
+    ASSERT_TRUE(rig.settle());
+    ASSERT_TRUE(rig.find<QWidget>(QStringLiteral("stoppedBanner"))->isVisible());
+    ASSERT_TRUE(rig.find<QWidget>(QStringLiteral("simulatedBanner"))->isVisible());
     const QRect window = rig.window().rect();
     std::vector<QRect> places;
     for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
         auto* tile = rig.find<ui::RobotTile>(QStringLiteral("robot%1").arg(robot));
         const QRect place(tile->mapTo(&rig.window(), QPoint()), tile->size());
         EXPECT_TRUE(window.contains(place)) << robot;
+        // None of it is scrolled away.
+        EXPECT_EQ(tile->visibleRegion().boundingRect(), tile->rect()) << robot;
+        EXPECT_GE(place.width(), ui::kLeastTileWidth) << robot;
         EXPECT_GE(place.height(), ui::RobotTile::kLeastHeight) << robot;
         for (const QRect& other : places)
             EXPECT_FALSE(place.intersects(other)) << robot;

@@ -60,9 +60,9 @@ TEST_F(StatesTest, TheEmergencyStopLeavingRunStopsAndIsShown) {
 
 TEST_F(StatesTest, ReadingsChangeOnTheTile) {
     rig.simulate("battery", 2, 14.5);
-    ASSERT_TRUE(waitUntil([this] { return tile(2)->content().battery.contains(QStringLiteral("low")); }));
+    ASSERT_TRUE(waitUntil([this] { return tile(2)->content().batteryWord == QStringLiteral("low"); }));
     rig.simulate("battery", 2, 13.6);
-    ASSERT_TRUE(waitUntil([this] { return tile(2)->content().battery.contains(QStringLiteral("empty")); }));
+    ASSERT_TRUE(waitUntil([this] { return tile(2)->content().batteryWord == QStringLiteral("empty"); }));
     rig.simulate("ball", 2, 1);
     ASSERT_TRUE(waitUntil([this] { return tile(2)->accessibleName().contains(QStringLiteral("ball")); }));
     EXPECT_TRUE(waitForEvent(QStringLiteral("battery")));
@@ -88,6 +88,7 @@ TEST_F(StatesTest, APulledPlugMakesEverythingStale) {
     ASSERT_TRUE(
         rig.waitForSnapshot([](const Snapshot& snapshot) { return snapshot.link == LinkState::Searching; }));
     EXPECT_EQ(state(0)->tone(), ui::Tone::Warning);
+    EXPECT_FALSE(rig.find<QLabel>(QStringLiteral("facts"))->text().contains(QStringLiteral("radios")));
     for (int robot = 0; robot < 6; ++robot)
         EXPECT_TRUE(tile(robot)->content().stale) << robot;
     EXPECT_TRUE(rig.find<QWidget>(QStringLiteral("simulatedBanner"))->isVisible());

@@ -56,8 +56,9 @@ TEST(TileContent, TheBatteryHasAWordBesideItsColour) {
     EXPECT_EQ(tileContent(0, robot(15.0, 0), false, kNow).batteryWeight, TileContent::Weight::Plain);
     const TileContent low = tileContent(0, robot(14.9, 0), false, kNow);
     EXPECT_EQ(low.batteryWeight, TileContent::Weight::Warning);
-    EXPECT_EQ(low.battery, QStringLiteral("14.9 V low"));
-    EXPECT_EQ(tileContent(0, robot(13.9, 0), false, kNow).battery, QStringLiteral("13.9 V empty"));
+    EXPECT_EQ(low.battery, QStringLiteral("14.9 V"));
+    EXPECT_EQ(low.batteryWord, QStringLiteral("low"));
+    EXPECT_EQ(tileContent(0, robot(13.9, 0), false, kNow).batteryWord, QStringLiteral("empty"));
 }
 
 TEST(TileContent, ACapacitorIsLiveFromFiftyVoltsOn) {
@@ -94,7 +95,35 @@ TEST(TileContent, WhatTheRobotWasToldIsItsState) {
     const TileContent tile = tileContent(0, state, false, kNow);
     EXPECT_EQ(tile.motion, QStringLiteral("moving"));
     EXPECT_TRUE(tile.moving);
-    EXPECT_EQ(tile.state, QStringLiteral("charging \u00b7 dribbler"));
+    ASSERT_EQ(tile.chips.size(), 2U);
+    EXPECT_EQ(tile.chips[0].text, QStringLiteral("charging"));
+    EXPECT_EQ(tile.chips[1].text, QStringLiteral("dribbler"));
+}
+
+TEST(TileContent, WhatIsDangerousComesBeforeTheBall) {
+    RobotState state = robot(15.9, 100);
+    state.readings.ball = true;
+    state.told->charge = state.told->autokickArmed = true;
+    const TileContent tile = tileContent(0, state, false, kNow);
+    ASSERT_EQ(tile.chips.size(), 3U);
+    EXPECT_EQ(tile.chips[0].text, QStringLiteral("charging"));
+    EXPECT_EQ(tile.chips[1].text, QStringLiteral("autokick"));
+    EXPECT_EQ(tile.chips[2].text, QStringLiteral("ball"));
+    state.readings.charged = true;
+    EXPECT_EQ(tileContent(0, state, false, kNow).chips[0].text, QStringLiteral("kept full"));
+    state.told->charge = false;
+    EXPECT_EQ(tileContent(0, state, false, kNow).chips[0].text, QStringLiteral("charged"));
+}
+
+TEST(TileContent, MarksAreForTheRobotThatTheyName) {
+    const TileMarks marks{3, 4, QStringLiteral("charging")};
+    EXPECT_EQ(tileContent(3, robot(15.9, 0), false, kNow, marks).batteryWord, QStringLiteral("lowest"));
+    EXPECT_EQ(tileContent(3, robot(14.9, 0), false, kNow, marks).batteryWord, QStringLiteral("low"));
+    EXPECT_TRUE(tileContent(3, robot(14.9, 0), false, kNow, marks).lowestBattery);
+    EXPECT_FALSE(tileContent(2, robot(14.9, 0), false, kNow, marks).lowestBattery);
+    EXPECT_TRUE(tileContent(3, robot(15.9, 0), false, kNow, marks).oddBy.isEmpty());
+    EXPECT_TRUE(tileContent(4, robot(15.9, 0), false, kNow, marks)
+                    .accessible.contains(QStringLiteral("the only one charging")));
 }
 
 TEST(TileContent, WhatALostRobotWasToldIsNotShownAsIfItWereSo) {

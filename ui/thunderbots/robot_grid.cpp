@@ -6,6 +6,7 @@
 
 #include "ui/thunderbots/robot_choice.h"
 #include "ui/thunderbots/robot_tile.h"
+#include "ui/thunderbots/tile_layout.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -17,7 +18,6 @@ namespace {
 constexpr int kColumns = 2;
 constexpr int kRows = kRobots / kColumns;
 constexpr int kTileGap = 6;
-constexpr int kLeastTileWidth = 124;
 
 /// The place that a key leads to; it may lie outside.
 int neighbour(int place, int key) {
@@ -59,6 +59,7 @@ RobotGrid::RobotGrid(RobotChoice& choice, QWidget* parent)
 void RobotGrid::showState(const Snapshot& snapshot, TimePoint now) {
     states_ = snapshot.robots;
     now_ = now;
+    marks_ = tileMarks(snapshot, marks_.lowestBattery);
     refresh();
     const auto unheard = [this](int robot) {
         const RobotState& state = states_[static_cast<std::size_t>(robot)];
@@ -75,12 +76,12 @@ void RobotGrid::showState(const Snapshot& snapshot, TimePoint now) {
 void RobotGrid::refresh() {
     for (int robot = 0; robot < kRobots; ++robot) {
         const RobotState& state = states_[static_cast<std::size_t>(robot)];
-        tile(robot)->setContent(tileContent(robot, state, choice_.isChosen(robot), now_));
+        tile(robot)->setContent(tileContent(robot, state, choice_.isChosen(robot), now_, marks_));
     }
 }
 
 QSize RobotGrid::sizeHint() const {
-    return {kColumns * 138 + kTileGap, kRows * RobotTile::kMostHeight + (kRows - 1) * kTileGap};
+    return {kColumns * kLeastTileWidth + kTileGap, kRows * RobotTile::kMostHeight + (kRows - 1) * kTileGap};
 }
 
 QSize RobotGrid::minimumSizeHint() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/thunderbots/snapshot.h"
+#include "ui/thunderbots/tile_marks.h"
 
 namespace kickstand::ui {
 
@@ -20,6 +21,7 @@ class RobotGrid final : public QWidget {
 
     void showState(const thunderbots::Snapshot& snapshot, TimePoint now);
     RobotTile* tile(int robot) const { return tiles_[static_cast<std::size_t>(robot)]; }
+    const TileMarks& marks() const { return marks_; }
     const std::vector<int>& order() const { return order_; }
 
     QSize sizeHint() const override;
@@ -39,6 +41,7 @@ class RobotGrid final : public QWidget {
     RobotChoice& choice_;
     std::array<RobotTile*, thunderbots::kRobots> tiles_{};
     std::array<thunderbots::RobotState, thunderbots::kRobots> states_{};
+    TileMarks marks_;
     TimePoint now_{};
     std::vector<int> order_;
 };

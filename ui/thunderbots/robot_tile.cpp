@@ -3,7 +3,9 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPolygonF>
 
+#include "ui/thunderbots/tile_layout.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/tokens.h"
 
@@ -11,17 +13,10 @@ namespace kickstand::ui {
 
 namespace {
 
-constexpr int kSide = 8;
-constexpr int kNumberSize = 28;
-constexpr int kMotionTop = 32;
-constexpr int kMotionHeight = 14;
-constexpr int kReadingSize = 15;
-constexpr int kLine = 18;
-constexpr double kBarHeight = 3;
-constexpr double kBarWidth = 64;
-constexpr int kChipGap = 5;
-constexpr double kBoltWidth = 9;
-constexpr double kBoltHeight = 13;
+constexpr int kLine = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip;
+constexpr double kChipInset = 3;
+constexpr double kOddWidth = 3;
+constexpr double kOddInset = 10;
 
 struct Inks {
     QColor fill;
@@ -42,16 +37,27 @@ Inks inksOf(TileContent::Weight weight, const Tokens& t) {
     return {t.grid, t.text};
 }
 
-/// As many whole words of a list as there is room for; what is no list is cut.
-QString fitting(const QString& text, const QFontMetrics& metrics, int width) {
-    QStringList words = text.split(QStringLiteral(" \u00b7 "));
-    if (words.size() == 1 && metrics.horizontalAdvance(text) > width && text.contains(u' ')) {
-        return metrics.elidedText(text, Qt::ElideRight, width);
+/// A ball; a roller seen from its end.
+void drawSign(QPainter& painter, TileContent::Sign sign, const QRectF& box, const QColor& ink) {
+    const QRectF disc = box.adjusted(1, 1, -1, -1);
+    if (sign == TileContent::Sign::Ball) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ink);
+        painter.drawEllipse(disc);
+        return;
     }
-    while (!words.isEmpty() && metrics.horizontalAdvance(words.join(QStringLiteral(" \u00b7 "))) > width) {
-        words.removeLast();
-    }
-    return words.join(QStringLiteral(" \u00b7 "));
+    painter.setPen(QPen(ink, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawArc(disc, 30 * 16, 300 * 16);
+    painter.setBrush(ink);
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(disc.center(), 1.5, 1.5);
+}
+
+void drawDownMark(QPainter& painter, const QRectF& box, const QColor& ink) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    painter.drawPolygon(QPolygonF{{box.topLeft(), box.topRight(), {box.center().x(), box.bottom()}}});
 }
 
 }  // namespace
@@ -106,16 +112,16 @@ void RobotTile::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     paintFrame(painter);
     const Tokens& t = tokensOf(palette());
-    painter.setFont(numberFont(kNumberSize, QFont::DemiBold));
+    const TileLayout places = layOutTile(content_, size());
+    painter.setFont(tileNumberFont());
     painter.setPen(content_.live ? t.text : t.muted);
-    painter.drawText(QRectF(kSide, 3, width() / 2.0, 30), Qt::AlignLeft | Qt::AlignVCenter,
-                     QString::number(content_.robot));
-    painter.setFont(textFont(metrics::kSmallTextSize, content_.moving ? QFont::DemiBold : QFont::Normal));
-    painter.setPen(content_.moving ? t.text : t.muted);
-    painter.drawText(QRectF(kSide, kMotionTop, width() / 2.0, kMotionHeight),
-                     Qt::AlignLeft | Qt::AlignVCenter, content_.motion);
-    paintReadings(painter);
-    paintState(painter);
+    painter.drawText(places.number, kLine, QString::number(content_.robot));
+    const bool strong = content_.moving || !content_.oddBy.isEmpty();
+    painter.setFont(tileWordFont(strong));
+    painter.setPen(strong ? t.text : t.muted);
+    painter.drawText(places.motion, kLine, content_.motion);
+    paintReadings(painter, places);
+    paintState(painter, places);
 }
 
 void RobotTile::paintFrame(QPainter& painter) const {
@@ -128,81 +134,74 @@ void RobotTile::paintFrame(QPainter& painter) const {
     painter.setBrush(content_.chosen ? t.accentSoft : t.surface);
     painter.drawRoundedRect(QRectF(rect()).adjusted(inset, inset, -inset, -inset), metrics::kControlRadius,
                             metrics::kControlRadius);
+    if (!content_.oddBy.isEmpty()) {
+        painter.fillRect(QRectF(2, kOddInset, kOddWidth, height() - 2 * kOddInset), t.text);
+    }
     if (!hasFocus() || !window()->testAttribute(Qt::WA_KeyboardFocusChange)) return;
     painter.setPen(QPen(t.accent, 1, Qt::DotLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5), 4, 4);
 }
 
-void RobotTile::paintReadings(QPainter& painter) const {
+void RobotTile::paintReadings(QPainter& painter, const TileLayout& places) const {
     const Tokens& t = tokensOf(palette());
-    const double right = width() - kSide;
-    const double top = height() >= 76 ? 6 : 3;
     const QColor quiet = content_.live && !content_.stale ? t.text : t.muted;
-    painter.setPen(quiet);
     if (!content_.known) {
-        painter.setFont(numberFont(kReadingSize));
-        painter.drawText(QRectF(0, top, right, kLine), Qt::AlignRight | Qt::AlignVCenter,
-                         QStringLiteral("\u2014"));
+        painter.setFont(tileReadingFont(false));
+        painter.setPen(quiet);
+        painter.drawText(QRectF(places.number.topRight(), QPointF(width() - 8.0, places.number.bottom())),
+                         Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("\u2014"));
         return;
     }
-    const auto line = [&](double y, const QString& text, const QColor& ink, bool strong, double end) {
-        painter.setFont(numberFont(kReadingSize, strong ? QFont::DemiBold : QFont::Normal));
+    const auto text = [&painter](const QRectF& box, const QString& words, const QFont& font,
+                                 const QColor& ink) {
+        painter.setFont(font);
         painter.setPen(ink);
-        painter.drawText(QRectF(0, y, end, kLine), Qt::AlignRight | Qt::AlignVCenter, text);
-    };
-    const auto bar = [&](double y, const Level& level, const QColor& ink) {
-        drawLevel(painter, QRectF(right - kBarWidth, y, kBarWidth, kBarHeight), level, ink, t.line,
-                  content_.chosen ? t.accentSoft : t.surface);
+        painter.drawText(box, kLine, words);
     };
     const bool warned = content_.batteryWeight == TileContent::Weight::Warning;
-    line(top, content_.battery, warned ? t.warn : quiet, warned, right);
-    const double second = top + kLine + (content_.stale ? 0 : 6);
+    const QColor batteryInk = warned ? t.warn : quiet;
+    text(places.battery, content_.battery, tileReadingFont(warned), batteryInk);
+    if (!places.batteryWord.isNull())
+        text(places.batteryWord, content_.batteryWord, tileWordFont(false), batteryInk);
     const bool danger = content_.capacitorLive;
-    line(second, content_.capacitor, danger ? t.danger : quiet, danger,
-         danger ? right - kBoltWidth - 3 : right);
-    if (danger) {
-        drawBolt(painter,
-                 QRectF(right - kBoltWidth, second + (kLine - kBoltHeight) / 2, kBoltWidth, kBoltHeight),
-                 t.danger);
-    }
+    text(places.capacitor, content_.capacitor, tileReadingFont(danger), danger ? t.danger : quiet);
+    if (danger) drawBolt(painter, places.bolt, t.danger);
     if (content_.stale) return;
-    bar(top + kLine + 1, {content_.batteryLevel, kBatteryEmptyMark, kBatteryLowMark}, warned ? t.warn : t.ok);
-    bar(second + kLine + 1, {content_.capacitorLevel, kCapacitorLiveMark, kCapacitorChargedMark},
-        danger ? t.danger : t.muted);
+    const QColor ground = content_.chosen ? t.accentSoft : t.surface;
+    drawLevel(painter, places.batteryBar, {content_.batteryLevel, kBatteryEmptyMark, kBatteryLowMark},
+              warned ? t.warn : t.ok, t.line, ground);
+    drawLevel(painter, places.capacitorBar,
+              {content_.capacitorLevel, kCapacitorLiveMark, kCapacitorChargedMark},
+              danger ? t.danger : t.muted, t.line, ground);
+    if (content_.lowestBattery) drawDownMark(painter, places.lowestMark, warned ? t.warn : t.text);
 }
 
-QRectF RobotTile::stateArea() const {
-    return QRectF(rect()).adjusted(kSide, 0, -kSide, -4);
-}
-
-void RobotTile::paintState(QPainter& painter) const {
+void RobotTile::paintState(QPainter& painter, const TileLayout& places) const {
     const Tokens& t = tokensOf(palette());
-    const QFont font = textFont(metrics::kSmallTextSize);
-    const QRectF area = stateArea();
-    double x = area.left();
-    for (const TileContent::Chip& chip : content_.chips) {
-        const QSizeF size = chipSize(chip.text, font);
+    const QFont font = tileWordFont(false);
+    for (std::size_t i = 0; i < places.chips.size(); ++i) {
+        const TileLayout::ChipBox& place = places.chips[i];
+        const TileContent::Chip& chip = content_.chips[i];
         const Inks inks = inksOf(chip.weight, t);
-        if (size.width() > area.width()) {
-            // A sentence: two lines.
-            const QRectF box(area.left(), area.bottom() - 2 * size.height() + 4, area.width(),
-                             2 * size.height() - 4);
-            drawChip(painter, box, {}, font, inks.fill, inks.ink);
-            painter.setPen(inks.ink);
-            painter.setFont(font);
-            painter.drawText(box.adjusted(5, 0, -2, 0), Qt::AlignVCenter | Qt::TextWordWrap, chip.text);
-            return;
+        if (place.lines.isEmpty()) {
+            drawSign(painter, chip.sign, place.box, inks.ink);
+            continue;
         }
-        drawChip(painter, QRectF(x, area.bottom() - size.height(), size.width(), size.height()), chip.text,
-                 font, inks.fill, inks.ink);
-        x += size.width() + kChipGap;
+        drawChip(painter, place.box, {}, font, inks.fill, inks.ink);
+        painter.setFont(font);
+        painter.setPen(inks.ink);
+        const double height = place.box.height() / static_cast<double>(place.lines.size());
+        for (qsizetype line = 0; line < place.lines.size(); ++line) {
+            painter.drawText(
+                QRectF(place.box.left() + kChipInset, place.box.top() + static_cast<double>(line) * height,
+                       place.box.width(), height),
+                kLine, place.lines[line]);
+        }
     }
     painter.setFont(font);
     painter.setPen(t.muted);
-    const QRectF rest(x, area.bottom() - 16, area.right() - x, 16);
-    painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft,
-                     fitting(content_.state, painter.fontMetrics(), static_cast<int>(rest.width())));
+    painter.drawText(places.state, kLine, places.stateText);
 }
 
 }  // namespace kickstand::ui

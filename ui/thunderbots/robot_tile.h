@@ -6,6 +6,8 @@
 
 namespace kickstand::ui {
 
+struct TileLayout;
+
 /// One robot: its number, its voltages and how full they are, and what it is up to.
 class RobotTile final : public QAbstractButton {
     Q_OBJECT
@@ -35,9 +37,8 @@ class RobotTile final : public QAbstractButton {
 
   private:
     void paintFrame(QPainter& painter) const;
-    void paintReadings(QPainter& painter) const;
-    void paintState(QPainter& painter) const;
-    QRectF stateArea() const;
+    void paintReadings(QPainter& painter, const TileLayout& places) const;
+    void paintState(QPainter& painter, const TileLayout& places) const;
 
     TileContent content_;
 };

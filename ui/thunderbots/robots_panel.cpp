@@ -63,7 +63,9 @@ QString RobotsPanel::hintFor(const Snapshot& snapshot, int heard) const {
     if (heard == 0) return tr("No robot is heard yet. Switch one on: it takes its place at the top.");
     if (choice_.chosen() == 0)
         return tr("Click a robot to choose it, Ctrl-click to add more, Ctrl+A for all.");
-    return tr("Driving applies to all that are chosen.");
+    return grid_->marks().oddOne < 0
+               ? tr("Driving applies to all that are chosen.")
+               : tr("Robot %1 is the only one %2.").arg(grid_->marks().oddOne).arg(grid_->marks().oddBy);
 }
 
 }  // namespace kickstand::ui

@@ -5,6 +5,10 @@
 
 #include "core/engine/describe.h"
 #include "core/thunderbots/wire/readings.h"
+#include "ui/gamepad/sdl_pads.h"
+#include "ui/thunderbots/drive_control.h"
+#include "ui/thunderbots/drive_pad.h"
+#include "ui/thunderbots/drive_pad_panel.h"
 #include "ui/thunderbots/drive_panel.h"
 #include "ui/thunderbots/experiment_panel.h"
 #include "ui/thunderbots/faults_panel.h"
@@ -74,6 +78,10 @@ const Snapshot* snapshotOf(const SessionSnapshot* session) {
     return session == nullptr ? nullptr : std::get_if<Snapshot>(&session->system);
 }
 
+ThunderbotsView::ThunderbotsView() : drive_(std::make_unique<DriveControl>(*choice_)) {}
+
+ThunderbotsView::~ThunderbotsView() = default;
+
 QString ThunderbotsView::name() const {
     return Words::tr("Thunderbots");
 }
@@ -81,12 +89,12 @@ QString ThunderbotsView::name() const {
 std::vector<PanelEntry> ThunderbotsView::panels() const {
     RobotChoice& choice = *choice_;
     KickSettings& kick = *kick_;
+    DriveControl& drive = *drive_;
     return {
-        {QStringLiteral("robots"), Words::tr("Robots"), QString::fromLatin1(kHelpPage),
-         PanelPlace::Side,
+        {QStringLiteral("robots"), Words::tr("Robots"), help("robots"), PanelPlace::Side,
          [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
-        {QStringLiteral("drive"), Words::tr("Drive"), QString::fromLatin1(kHelpPage), PanelPlace::Work,
-         [&choice](Bench& bench) -> Panel* { return new DrivePanel(bench, choice); }},
+        {QStringLiteral("drive"), Words::tr("Drive"), help("drive"), PanelPlace::Work,
+         [&drive](Bench& bench) -> Panel* { return new DrivePanel(bench, drive); }},
         {QStringLiteral("kick"), Words::tr("Kick"), help("kick"), PanelPlace::Work,
          [&choice, &kick](Bench& bench) -> Panel* { return new KickPanel(bench, choice, kick); }},
         {QStringLiteral("voltages"), Words::tr("Voltages"), QString::fromLatin1(kHelpPage), PanelPlace::Below,
@@ -97,6 +105,11 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
         {QStringLiteral("experiment"), Words::tr("Experiment data"), help("experiment-data"),
          PanelPlace::Work, [&choice](Bench& bench) -> Panel* { return new ExperimentPanel(bench, choice); }},
+        {QStringLiteral("gamepad"), Words::tr("Gamepad"), help("gamepad"), PanelPlace::Work,
+         [&drive, &kick](Bench& bench) -> Panel* {
+             auto* pad = new DrivePad(bench, drive, kick, [] { return std::make_unique<SdlPads>(); });
+             return new DrivePadPanel(bench, drive, pad);
+         }},
         {QStringLiteral("faults"), Words::tr("Fault codes"), help("fault-codes"), PanelPlace::Work,
          [](Bench& bench) -> Panel* { return new FaultsPanel(bench); }},
     };
@@ -148,10 +161,13 @@ QStringList ThunderbotsView::facts(const SessionSnapshot& session) const {
     const auto& snapshot = std::get<Snapshot>(session.system);
     QStringList facts;
     facts << Words::tr("%1 packets/s").arg(snapshot.traffic.packets_per_s, 0, 'f', 0);
-    if (snapshot.channels) {
+    // Unplugged, nobody knows what they are.
+    if (snapshot.channels && snapshot.link == LinkState::Running) {
         facts
             << Words::tr("radios %1 / %2").arg(snapshot.channels->channel0).arg(snapshot.channels->channel1);
     }
+    if (snapshot.roundTrip)
+        facts << Words::tr("server %1 ms away").arg(seconds(*snapshot.roundTrip) * 1000, 0, 'f', 1);
     if (snapshot.traffic.malformed > 0) facts << Words::tr("%1 damaged").arg(snapshot.traffic.malformed);
     if (snapshot.traffic.stalls > 0) facts << Words::tr("%1 stalls").arg(snapshot.traffic.stalls);
     return facts;

@@ -7,12 +7,17 @@
 
 namespace kickstand::ui {
 
+class DriveControl;
+
 /// The thunderbots part of a session's snapshot; null where it is of another system, or there is none.
 const thunderbots::Snapshot* snapshotOf(const SessionSnapshot* session);
 
 /// What the shell shows of the thunderbots system, and its panels.
 class ThunderbotsView final : public SystemView {
   public:
+    ThunderbotsView();
+    ~ThunderbotsView() override;
+
     QString name() const override;
     std::vector<PanelEntry> panels() const override;
     std::vector<LinkOffer> offers() const override;
@@ -35,6 +40,7 @@ class ThunderbotsView final : public SystemView {
   private:
     std::unique_ptr<RobotChoice> choice_ = std::make_unique<RobotChoice>();
     std::unique_ptr<KickSettings> kick_ = std::make_unique<KickSettings>();
+    std::unique_ptr<DriveControl> drive_;
 };
 
 }  // namespace kickstand::ui

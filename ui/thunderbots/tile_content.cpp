@@ -43,11 +43,21 @@ void addTold(TileContent& tile, const wire::DriveBlock& told) {
     tile.motion = !told.run ? TileText::tr("braked")
                   : turns   ? TileText::tr("moving")
                             : TileText::tr("holding");
-    QStringList parts;
-    if (told.charge) parts << TileText::tr("charging");
-    if (told.autokickArmed) parts << TileText::tr("autokick");
-    if (told.dribble) parts << TileText::tr("dribbler");
-    tile.state = parts.join(QStringLiteral(" \u00b7 "));
+}
+
+/// What is dangerous comes first.
+void addChips(TileContent& tile, const Readings& readings, const wire::DriveBlock& told) {
+    using Weight = TileContent::Weight;
+    if (readings.charged) {
+        tile.chips.push_back(
+            {told.charge ? TileText::tr("kept full") : TileText::tr("charged"), Weight::Danger});
+    } else if (told.charge) {
+        tile.chips.push_back({TileText::tr("charging"), Weight::Warning});
+    }
+    if (told.autokickArmed) tile.chips.push_back({TileText::tr("autokick"), Weight::Warning});
+    if (readings.ball) tile.chips.push_back({TileText::tr("ball"), Weight::Accent, TileContent::Sign::Ball});
+    if (told.dribble)
+        tile.chips.push_back({TileText::tr("dribbler"), Weight::Plain, TileContent::Sign::Dribbler});
 }
 
 void addBattery(TileContent& tile, const Readings& readings) {
@@ -55,11 +65,13 @@ void addBattery(TileContent& tile, const Readings& readings) {
     tile.batteryLevel = step(batteryPart(readings.battery_V));
     if (tile.stale) return;
     if (readings.battery_V < wire::kBatteryEmpty_V) {
-        tile.battery = TileText::tr("%1 empty").arg(tile.battery);
+        tile.batteryWord = TileText::tr("empty");
         tile.batteryWeight = TileContent::Weight::Warning;
     } else if (readings.battery_V < wire::kBatteryLow_V) {
-        tile.battery = TileText::tr("%1 low").arg(tile.battery);
+        tile.batteryWord = TileText::tr("low");
         tile.batteryWeight = TileContent::Weight::Warning;
+    } else if (tile.lowestBattery) {
+        tile.batteryWord = TileText::tr("lowest");
     }
 }
 
@@ -82,15 +94,17 @@ void addStale(TileContent& tile, const RobotState& state, TimePoint now) {
 }
 
 void addCurrent(TileContent& tile, const RobotState& state) {
-    if (state.readings.charged) tile.chips.push_back({TileText::tr("charged"), TileContent::Weight::Danger});
-    if (state.readings.ball) tile.chips.push_back({TileText::tr("ball"), TileContent::Weight::Accent});
+    addChips(tile, state.readings, state.told.value_or(wire::brakedBlock()));
     if (state.told) addTold(tile, *state.told);
 }
 
 QString sentence(const TileContent& tile) {
     QStringList parts{TileText::tr("Robot %1").arg(tile.robot)};
     if (tile.known) {
-        parts << TileText::tr("battery %1").arg(tile.battery);
+        QString battery = TileText::tr("battery %1").arg(tile.battery);
+        if (tile.batteryWeight == TileContent::Weight::Warning) battery += u' ' + tile.batteryWord;
+        parts << battery;
+        if (tile.lowestBattery) parts << TileText::tr("the lowest of all");
         parts << (tile.capacitorLive ? TileText::tr("capacitor %1, live") : TileText::tr("capacitor %1"))
                      .arg(tile.capacitor);
     }
@@ -98,6 +112,7 @@ QString sentence(const TileContent& tile) {
         parts << chip.text;
     if (!tile.motion.isEmpty()) parts << tile.motion;
     if (!tile.state.isEmpty()) parts << tile.state;
+    if (!tile.oddBy.isEmpty()) parts << TileText::tr("the only one %1").arg(tile.oddBy);
     if (tile.chosen) parts << TileText::tr("chosen");
     return parts.join(QStringLiteral(", "));
 }
@@ -109,13 +124,16 @@ const double kBatteryLowMark = batteryPart(wire::kBatteryLow_V);
 const double kCapacitorLiveMark = capacitorPart(wire::kCapacitorLive_V);
 const double kCapacitorChargedMark = capacitorPart(wire::kCapacitorCharged_V);
 
-TileContent tileContent(int robot, const RobotState& state, bool chosen, TimePoint now) {
+TileContent tileContent(int robot, const RobotState& state, bool chosen, TimePoint now,
+                        const TileMarks& marks) {
     TileContent tile;
     tile.robot = robot;
     tile.live = state.live;
     tile.chosen = chosen;
     tile.known = state.feedback.has_value();
     tile.stale = state.freshness == Freshness::Stale;
+    tile.lowestBattery = marks.lowestBattery == robot && state.freshness == Freshness::Current;
+    if (marks.oddOne == robot) tile.oddBy = marks.oddBy;
     if (tile.known) {
         addBattery(tile, state.readings);
         addCapacitor(tile, state);

@@ -4,15 +4,19 @@
 #include <vector>
 
 #include "core/thunderbots/snapshot.h"
+#include "ui/thunderbots/tile_marks.h"
 
 namespace kickstand::ui {
 
 /// All that a robot's tile shows, as text and levels: a tile repaints when this differs, and not otherwise.
 struct TileContent {
     enum class Weight { Plain, Warning, Danger, Accent };
+    /// A shape that says the same as a chip's word, for where there is no room for it.
+    enum class Sign { None, Ball, Dribbler };
     struct Chip {
         QString text;
         Weight weight = Weight::Plain;
+        Sign sign = Sign::None;
         friend bool operator==(const Chip&, const Chip&) = default;
     };
 
@@ -22,6 +26,8 @@ struct TileContent {
     bool stale = false;  ///< Those are of earlier.
     bool chosen = false;
     QString battery;
+    QString batteryWord;         ///< "low", "empty" or "lowest", where it is.
+    bool lowestBattery = false;  ///< Of all robots.
     Weight batteryWeight = Weight::Plain;
     double batteryLevel = -1;  ///< 0-1; below 0: nothing to show.
     QString capacitor;
@@ -29,9 +35,10 @@ struct TileContent {
     double capacitorLevel = -1;
     QString motion;  ///< Braked, holding, moving: what it was told.
     bool moving = false;
-    std::vector<Chip> chips;
-    QString state;       ///< What else it was told, or why there is nothing newer.
-    QString accessible;  ///< The same in one sentence.
+    std::vector<Chip> chips;  ///< The most important first.
+    QString oddBy;            ///< What sets it apart from all the others; empty where nothing does.
+    QString state;            ///< Why there is nothing newer.
+    QString accessible;       ///< The same in one sentence.
 
     friend bool operator==(const TileContent&, const TileContent&) = default;
 };
@@ -42,7 +49,8 @@ extern const double kBatteryLowMark;
 extern const double kCapacitorLiveMark;
 extern const double kCapacitorChargedMark;
 
-TileContent tileContent(int robot, const thunderbots::RobotState& state, bool chosen, TimePoint now);
+TileContent tileContent(int robot, const thunderbots::RobotState& state, bool chosen, TimePoint now,
+                        const TileMarks& marks = {});
 /// The readings with the raw numbers behind them.
 QString readingsTip(int robot, const thunderbots::RobotState& state);
 

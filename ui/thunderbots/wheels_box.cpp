@@ -3,9 +3,12 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/thunderbots/body_box.h"
+#include "ui/thunderbots/drive_control.h"
 #include "ui/thunderbots/limit_row.h"
 #include "ui/widgets/segmented.h"
 #include "ui/widgets/set_point_slider.h"
@@ -18,6 +21,7 @@ using namespace thunderbots;
 namespace {
 
 enum RunSegment { kRun = 0, kBrake = 1, kNeither = -1 };
+enum Page { kWheelsPage = 0, kBodyPage = 1 };
 
 QString rpmText(int units) {
     return WheelsBox::tr("%1 rpm").arg(signedNumber(static_cast<int>(std::lround(wheel_rpm(units)))));
@@ -27,8 +31,11 @@ QString rpmText(int units) {
 
 WheelsBox::WheelsBox(QWidget* parent)
     : QWidget(parent),
+      mode_(new Segmented({tr("Wheels"), tr("Body")}, this)),
       run_(new Segmented({tr("Run"), tr("Brake")}, this)),
       release_(new QCheckBox(tr("Release to zero"), this)),
+      body_(new BodyBox(this)),
+      pages_(new QStackedWidget(this)),
       dribbler_(new QPushButton(tr("Dribbler"), this)),
       zero_(new QPushButton(tr("Zero   Z"), this)),
       limit_(new LimitRow(this)) {
@@ -36,26 +43,49 @@ WheelsBox::WheelsBox(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(metrics::kGap);
     column->addWidget(makeTop());
+    pages_->addWidget(makeWheels());
+    pages_->addWidget(body_);
+    column->addWidget(pages_);
+    column->addWidget(makeBottom());
+    connect(body_, &BodyBox::asked, this, &WheelsBox::bodyAsked);
+    setReleaseToZero(true);
+    setBody(false);
+}
+
+QWidget* WheelsBox::makeWheels() {
+    auto* page = new QWidget(pages_);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::kGap);
     const std::array names = {tr("1 front L"), tr("2 back L"), tr("3 back R"), tr("4 front R")};
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
-        wheels_[i] = new SetPointSlider(names[i], this);
+        wheels_[i] = new SetPointSlider(names[i], page);
         wheels_[i]->setObjectName(QStringLiteral("wheel%1").arg(i + 1));
         const int index = static_cast<int>(i);
         connect(wheels_[i], &SetPointSlider::asked, this,
                 [this, index](int value, bool held) { emit wheelAsked(index, value, held); });
         column->addWidget(wheels_[i]);
     }
-    column->addWidget(makeBottom());
-    setReleaseToZero(true);
+    return page;
 }
 
 QWidget* WheelsBox::makeTop() {
     auto* top = new QWidget(this);
     auto* row = new QHBoxLayout(top);
     row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::kGap);
+    row->addWidget(mode_);
     row->addWidget(run_);
     row->addStretch(1);
     row->addWidget(release_);
+    mode_->button(kWheelsPage)->setObjectName(QStringLiteral("wheelMode"));
+    mode_->button(kBodyPage)->setObjectName(QStringLiteral("bodyMode"));
+    mode_->button(kWheelsPage)->setToolTip(tr("One set point for each wheel."));
+    mode_->button(kBodyPage)->setToolTip(tr("How the body moves: forward, to the left, turning."));
+    connect(mode_, &Segmented::asked, this, [this](int page) {
+        setBody(page == kBodyPage);
+        emit bodyChosen(page == kBodyPage);
+    });
     run_->button(kRun)->setObjectName(QStringLiteral("run"));
     run_->button(kBrake)->setObjectName(QStringLiteral("brake"));
     run_->button(kRun)->setToolTip(tr("Motors follow the set points."));
@@ -94,22 +124,28 @@ QWidget* WheelsBox::makeBottom() {
     return bottom;
 }
 
-void WheelsBox::showState(const ChoiceSummary& summary, int limit, bool wheels) {
+void WheelsBox::showState(const DriveControl& control) {
+    const ChoiceSummary& summary = control.summary();
+    const bool follow = control.followsSnapshot();
     run_->setCurrent(summary.live == 0           ? kNeither
                      : summary.run == All::Every ? kRun
                      : summary.run == All::None  ? kBrake
                                                  : kNeither);
     dribbler_->setText(summary.dribbler == All::Some ? tr("Dribbler (some)") : tr("Dribbler"));
-    if (wheels) dribbler_->setChecked(summary.dribbler == All::Every);
-    limit_->setLimit(limit);
+    if (follow) dribbler_->setChecked(summary.dribbler == All::Every);
+    limit_->setLimit(control.limit());
+    bool anyDiffers = false;
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
         SetPointSlider* wheel = wheels_[i];
-        wheel->setLimit(limit);
-        if (wheels) wheel->showValue(summary.target[i].value_or(0));
+        const int index = static_cast<int>(i);
+        const bool differs = summary.live != 0 && control.differs(index);
+        anyDiffers = anyDiffers || differs;
+        wheel->setLimit(control.limit());
+        wheel->showValue(control.wheels()[i]);
         wheel->setReached(summary.reached[i]);
-        const bool mixed = wheels && summary.live != 0 && !summary.target[i].has_value();
-        wheel->setMeaning(mixed ? tr("differ") : rpmText(wheel->value()));
+        wheel->setMeaning(differs ? tr("differ") : rpmText(wheel->value()));
     }
+    body_->showState(control.wheels(), control.limit(), follow, anyDiffers);
 }
 
 void WheelsBox::setUsable(bool usable) {
@@ -120,23 +156,23 @@ void WheelsBox::setUsable(bool usable) {
 void WheelsBox::reset() {
     for (SetPointSlider* wheel : wheels_)
         wheel->reset();
-}
-
-WheelSpeeds WheelsBox::values() const {
-    WheelSpeeds values{};
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = wheels_[i]->value();
-    return values;
-}
-
-bool WheelsBox::releasesToZero() const {
-    return release_->isChecked();
+    body_->reset();
 }
 
 void WheelsBox::setReleaseToZero(bool on) {
     release_->setChecked(on);
     for (SetPointSlider* wheel : wheels_)
         wheel->setReleaseToZero(on);
+    body_->setReleaseToZero(on);
+}
+
+bool WheelsBox::isBody() const {
+    return pages_->currentIndex() == kBodyPage;
+}
+
+void WheelsBox::setBody(bool on) {
+    mode_->setCurrent(on ? kBodyPage : kWheelsPage);
+    pages_->setCurrentIndex(on ? kBodyPage : kWheelsPage);
 }
 
 }  // namespace kickstand::ui

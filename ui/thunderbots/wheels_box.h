@@ -3,36 +3,42 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/thunderbots/choice_summary.h"
+#include "ui/thunderbots/body_motion.h"
 
 class QCheckBox;
 class QPushButton;
+class QStackedWidget;
 
 namespace kickstand::ui {
 
+class BodyBox;
+class DriveControl;
 class LimitRow;
 class Segmented;
 class SetPointSlider;
 
-/// Four wheels, run or brake, the dribbler, and the limit. It shows and asks; the panel decides.
+/// Four wheels or the body's motion, run or brake, the dribbler, and the limit. It shows and asks; the panel
+/// decides.
 class WheelsBox final : public QWidget {
     Q_OBJECT
   public:
     explicit WheelsBox(QWidget* parent = nullptr);
 
-    /// `wheels`: whether the set points may follow the snapshot, or a person's wish is still on its way.
-    void showState(const ChoiceSummary& summary, int limit, bool wheels);
+    void showState(const DriveControl& control);
     void setUsable(bool usable);
     /// Everything to zero, whoever holds it.
     void reset();
-    thunderbots::WheelSpeeds values() const;
-    bool releasesToZero() const;
     void setReleaseToZero(bool on);
+    /// Whether the body's motion is set, and not each wheel.
+    bool isBody() const;
+    void setBody(bool on);
 
     SetPointSlider* wheel(int index) const { return wheels_[static_cast<std::size_t>(index)]; }
 
   signals:
     void wheelAsked(int wheel, int value, bool held);
+    void bodyAsked(const kickstand::ui::BodyMotion& motion, bool held);
+    void bodyChosen(bool on);
     void runAsked();
     void brakeAsked();
     void zeroAsked();
@@ -42,11 +48,15 @@ class WheelsBox final : public QWidget {
 
   private:
     QWidget* makeTop();
+    QWidget* makeWheels();
     QWidget* makeBottom();
 
+    Segmented* mode_;
     Segmented* run_;
     QCheckBox* release_;
     std::array<SetPointSlider*, thunderbots::kWheels> wheels_{};
+    BodyBox* body_;
+    QStackedWidget* pages_;
     QPushButton* dribbler_;
     QPushButton* zero_;
     LimitRow* limit_;
