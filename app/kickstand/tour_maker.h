@@ -58,6 +58,11 @@ class TourMaker {
 void addLookingSteps(TourMaker& tour);
 /// A kick and what it did, a sweep, autokick: with the robot charged and a ball in its beam.
 void addKickingSteps(TourMaker& tour);
+/// The body's motion, keys, the gamepad: robot 3 is chosen.
+void addDrivingSteps(TourMaker& tour);
+/// The smallest window that holds everything, with all sixteen tiles up to something, stopped, and with a
+/// robot lost.
+void addSmallSteps(TourMaker& tour);
 /// The plots: cursors, a trigger, several robots. Robot 3 is chosen.
 void addVoltagesSteps(TourMaker& tour);
 

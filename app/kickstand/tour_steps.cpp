@@ -26,12 +26,14 @@ class Steps final : public TourMaker {
     std::vector<TourStep> all() && {
         connecting();
         driving();
+        addDrivingSteps(*this);
         charging();
         addKickingSteps(*this);
         addVoltagesSteps(*this);
         addLookingSteps(*this);
         stopping();
         losing();
+        addSmallSteps(*this);
         leaving();
         return std::move(*this).steps();
     }
