@@ -20,6 +20,10 @@ class LayoutTest : public BenchTest {
         rig.window().resize(size);
         return rig.settle();
     }
+    /// A panel behind another one of its place is not laid out until it comes to the front.
+    static bool isSeen(const QWidget* widget) {
+        return widget->isVisible() && !widget->visibleRegion().isEmpty();
+    }
 };
 
 TEST_F(LayoutTest, AllSixteenTilesAreVisibleAtTheSmallestSizeWithBannersAndDoNotOverlap) {
@@ -48,11 +52,11 @@ TEST_F(LayoutTest, NoButtonOrSingleLineIsCut) {
     for (const QSize size : {QSize(1280, 800), QSize(1440, 900)}) {
         ASSERT_TRUE(resizeTo(size));
         for (const auto* button : rig.window().findChildren<QAbstractButton*>()) {
-            if (!button->isVisible() || button->text().isEmpty()) continue;
+            if (!isSeen(button) || button->text().isEmpty()) continue;
             EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
         }
         for (const auto* label : rig.window().findChildren<QLabel*>()) {
-            if (!label->isVisible() || label->wordWrap()) continue;
+            if (!isSeen(label) || label->wordWrap()) continue;
             EXPECT_GE(label->width(), label->minimumSizeHint().width()) << label->text().toStdString();
         }
     }

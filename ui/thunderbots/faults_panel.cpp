@@ -97,8 +97,8 @@ QWidget* FaultsPanel::headerTools() {
     table_->setObjectName(QStringLiteral("faultTable"));
     table_->setAccessibleName(tr("Which table"));
     table_->addItem(tr("Both tables"), QString());
-    table_->addItem(tr("The dongle's error queue"), tr("Dongle"));
-    table_->addItem(tr("The robot's codes"), tr("Robot"));
+    table_->addItem(tr("Dongle"), tr("Dongle"));
+    table_->addItem(tr("Robot"), tr("Robot"));
     table_->setItemData(2, tr("No pipe carries these yet: they serve for looking up."), Qt::ToolTipRole);
     row->addWidget(search_);
     row->addWidget(table_);
