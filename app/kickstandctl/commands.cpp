@@ -9,7 +9,8 @@ std::span<const CommandSpec> commands() {
         std::vector<CommandSpec> all;
         for (const auto family :
              {deviceCommands(), doctorCommands(), stopCommands(), codecCommands(), thunderbotsWatchCommands(),
-              thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSetupCommands()})
+              thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(),
+              thunderbotsSetupCommands()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

@@ -14,6 +14,7 @@ std::span<const CommandSpec> stopCommands();
 std::span<const CommandSpec> thunderbotsWatchCommands();
 std::span<const CommandSpec> thunderbotsDriveCommands();
 std::span<const CommandSpec> thunderbotsKickCommands();
+std::span<const CommandSpec> thunderbotsSweepCommands();
 std::span<const CommandSpec> thunderbotsSetupCommands();
 
 }  // namespace kickstand::ctl

@@ -143,6 +143,53 @@ TEST(ProgramThunderbots, ChargeThatDoesNotGetThereFails) {
     EXPECT_FALSE(last(ended)[QStringLiteral("completed")].toBool()) << ended.out;
 }
 
+TEST(ProgramThunderbots, SweepTellsWhatEachKickDid) {
+    const Ended ended =
+        runSimulated({"--json", "thunderbots", "sweep", "--robot", "3", "--from", "640", "--to", "960",
+                      "--step", "320", "--solenoid", "2", "--other-width", "320", "--offset", "64"});
+    expectDoneAndBraked(ended);
+    std::vector<QJsonObject> kicks;
+    for (const QJsonValue& value : ended.values()) {
+        if (value[QStringLiteral("type")] == QStringLiteral("kick")) kicks.push_back(value.toObject());
+    }
+    ASSERT_EQ(kicks.size(), 2U) << ended.out;
+    EXPECT_EQ(kicks[0][QStringLiteral("width2_us")].toInt(), 640);
+    EXPECT_EQ(kicks[1][QStringLiteral("width2_us")].toInt(), 960);
+    for (const QJsonObject& kick : kicks) {
+        EXPECT_EQ(kick[QStringLiteral("width1_us")].toInt(), 320);
+        EXPECT_EQ(kick[QStringLiteral("offset_us")].toInt(), 64);
+        EXPECT_TRUE(kick[QStringLiteral("given_to_dongle")].toBool());
+        EXPECT_GT(kick[QStringLiteral("drop_V")].toDouble(), 5) << ended.out;
+        EXPECT_GT(kick[QStringLiteral("recharge_s")].toDouble(), 0) << ended.out;
+    }
+}
+
+TEST(ProgramThunderbots, SweepRefusesWhatNoWireHas) {
+    const Ended ended = runSimulated({"thunderbots", "sweep", "--robot", "3", "--from", "640", "--to", "4064",
+                                      "--step", "320", "--other-width", "320", "--offset", "-640"});
+    EXPECT_EQ(ended.exitCode, 2);
+    EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+    EXPECT_NE(ended.err.find("4064"), std::string::npos) << ended.err;
+}
+
+TEST(ProgramThunderbots, SweepThatIsNotChargedInTimeFails) {
+    const Ended ended = runSimulated({"--json", "thunderbots", "sweep", "--robot", "3", "--from", "640",
+                                      "--to", "960", "--step", "320", "--charge-limit", "0.05"});
+    EXPECT_EQ(ended.exitCode, 1);
+    EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+    EXPECT_TRUE(last(ended)[QStringLiteral("braked")].toBool()) << ended.out;
+}
+
+TEST(ProgramThunderbots, SweepIsStoppedByASignal) {
+    Program program({"--link", "sim:thunderbots?robots=0-3", "--json", "thunderbots", "sweep", "--robot", "3",
+                     "--from", "320", "--to", "4064", "--step", "32"});
+    ASSERT_TRUE(program.waitFor("\"sweep-started\""));
+    program.signal(SIGTERM);
+    const Ended ended = program.end();
+    EXPECT_TRUE(last(ended)[QStringLiteral("braked")].toBool()) << ended.out;
+    EXPECT_FALSE(last(ended)[QStringLiteral("completed")].toBool()) << ended.out;
+}
+
 TEST(ProgramThunderbots, DischargeEndsWhenItIsEmpty) {
     const Ended ended = runSimulated({"--json", "thunderbots", "discharge", "--robot", "1"});
     expectDoneAndBraked(ended);

@@ -50,6 +50,22 @@ TEST(DescribeEvent, NumbersThatDoNotExistAreShownAndNotTrusted) {
     EXPECT_EQ(wordsOf(eventOf(EventKind::Radios, 300)), "radios: 300");
 }
 
+TEST(DescribeEvent, WhatAKickDidIsSaidAsFarAsItWasMeasured) {
+    EXPECT_EQ(wordsOf(eventOf(EventKind::KickMeasured, 1900, 219000, 148)),
+              "kick measured: capacitor 219 → 148 V, charged again in 1.9 s");
+    EXPECT_EQ(wordsOf(eventOf(EventKind::KickMeasured, -1, 219000, 148)),
+              "kick measured: capacitor 219 → 148 V");
+}
+
+TEST(DescribeEvent, ASweepThatEndsEarlySaysWhy) {
+    EXPECT_EQ(textOf(eventOf(EventKind::SweepEnded, 0, 12)).severity, Severity::Information);
+    const EventText early =
+        textOf(eventOf(EventKind::SweepEnded, static_cast<std::int64_t>(Errc::NotCharging), 3));
+    EXPECT_EQ(early.severity, Severity::Warning);
+    EXPECT_EQ(early.text.toStdString(),
+              "sweep ended early, kicks given: 3: The capacitor was not charged in time");
+}
+
 TEST(DescribeEvent, AKickIsGivenToTheDongleAndNeverDelivered) {
     EXPECT_EQ(wordsOf(eventOf(EventKind::KickGiven, 2400, 0)), "kick given to the dongle: 2400 / 0 µs");
     EXPECT_EQ(wordsOf(eventOf(EventKind::KickGiven, 2016, 1024, 320)),
