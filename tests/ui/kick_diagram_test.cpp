@@ -131,15 +131,5 @@ TEST(KickDiagram, SnapsAsTheEncoderDoes) {
     EXPECT_EQ(onGrid(-16), 0);
 }
 
-TEST(KickDiagram, TheNearestEdgeIsMeant) {
-    const KickPulses shape{2400, 1280, 384};
-    const PulseAxis axis{0, 4064, kKickMax_us};
-    EXPECT_EQ(edgeAt(shape, axis, 1, 2390, 20), PulseEdge::End1);
-    EXPECT_EQ(edgeAt(shape, axis, 2, 380, 20), PulseEdge::Start2);
-    EXPECT_EQ(edgeAt(shape, axis, 1, 0, 20), std::nullopt) << "it stays where it is";
-    EXPECT_EQ(edgeAt(shape, axis, 2, 1000, 20), std::nullopt);
-    EXPECT_EQ(edgeAt({2400, 0, 0}, axis, 2, 0, 20), PulseEdge::End2);
-}
-
 }  // namespace
 }  // namespace kickstand::ui

@@ -10,9 +10,6 @@ using namespace thunderbots::wire;
 
 namespace {
 
-PulseEdge startEdge(int solenoid) {
-    return solenoid == 1 ? PulseEdge::Start1 : PulseEdge::Start2;
-}
 PulseEdge endEdge(int solenoid) {
     return solenoid == 1 ? PulseEdge::End1 : PulseEdge::End2;
 }
@@ -89,22 +86,6 @@ KickPulses pulled(const KickPulses& pulses, PulseEdge edge, int time_us) {
     result.offset_us = solenoid == 1 ? -start_us : start_us;
     setWidth(result, solenoid, end_us - start_us);
     return result;
-}
-
-std::optional<PulseEdge> edgeAt(const KickPulses& pulses, const PulseAxis& axis, int solenoid, double pixel,
-                                double reach_px) {
-    std::optional<PulseEdge> nearest;
-    double nearest_px = reach_px;
-    // The falling edge first: where both are as near, it is the one that can go on.
-    for (const PulseEdge edge : {endEdge(solenoid), startEdge(solenoid)}) {
-        if (!canPull(pulses, edge)) continue;
-        const double edge_px = axis.pixelOf(std::min(timeOf(pulses, edge), axis.span_us));
-        const double distance_px = std::abs(edge_px - pixel);
-        if (distance_px > nearest_px || (nearest && distance_px == nearest_px)) continue;
-        nearest = edge;
-        nearest_px = distance_px;
-    }
-    return nearest;
 }
 
 }  // namespace kickstand::ui

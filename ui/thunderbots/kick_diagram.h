@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "core/thunderbots/wire/kick_timing.h"
 
@@ -44,9 +43,5 @@ bool canPull(const thunderbots::wire::KickPulses& pulses, PulseEdge edge);
 /// nor off the grid. Unchanged where it cannot be pulled.
 thunderbots::wire::KickPulses pulled(const thunderbots::wire::KickPulses& pulses, PulseEdge edge,
                                      int time_us);
-/// The edge that a person means at this pixel of a solenoid's line: the nearest that can be pulled within
-/// `reach_px`.
-std::optional<PulseEdge> edgeAt(const thunderbots::wire::KickPulses& pulses, const PulseAxis& axis,
-                                int solenoid, double pixel, double reach_px);
 
 }  // namespace kickstand::ui

@@ -27,7 +27,7 @@ KickFields::KickFields(QWidget* parent) : QWidget(parent) {
     width1_ = addField("kickWidth1", tr("Width 1, \u00b5s"), 0);
     width2_ = addField("kickWidth2", tr("Width 2, \u00b5s"), 0);
     offset_ = addField("kickOffset", tr("Solenoid 2 later by, \u00b5s"), -wire::kKickMax_us);
-    offset_->setToolTip(tr("Negative: solenoid 1 is later."));
+    offset_->setToolTip(tr("Negative: solenoid 1 is later. Goes to the nearest step of 32 \u00b5s."));
 }
 
 SignedSpinBox* KickFields::addField(const char* name, const QString& label, int lowest) {
@@ -38,6 +38,7 @@ SignedSpinBox* KickFields::addField(const char* name, const QString& label, int 
     field->setSingleStep(wire::kKickStep_us);
     field->setFont(numberFont(kFieldFontSize));
     field->setMinimumWidth(kLeastWidth);
+    field->setToolTip(tr("Goes to the nearest step of 32 \u00b5s."));
     auto* words = new QLabel(label, this);
     words->setBuddy(field);
     words->setFont(textFont(metrics::kSmallTextSize));
@@ -61,9 +62,9 @@ void KickFields::showPulses(const wire::KickPulses& pulses) {
 void KickFields::changed(SignedSpinBox* field, int value) {
     if (telling_) return;
     const int snapped_us = onGrid(value);
-    emit snapped(snapped_us == value ? QString()
-                                     : tr("%1 \u00b5s went to the nearest step of 32: %2 \u00b5s.")
-                                           .arg(signedNumber(value), signedNumber(snapped_us)));
+    emit snapped(snapped_us == value
+                     ? QString()
+                     : tr("%1 \u2192 %2 \u00b5s").arg(signedNumber(value), signedNumber(snapped_us)));
     {
         const QScopedValueRollback telling(telling_, true);
         field->setValue(snapped_us);

@@ -31,7 +31,7 @@ namespace {
 constexpr int kRowHeight = 24;
 constexpr int kSweepWidth = 248;
 constexpr int kColumnGap = 16;
-constexpr int kWidths[] = {84, 48, 66, 62, 62, 62, 62, 62, 58, 66};
+constexpr int kWidths[] = {82, 46, 64, 62, 62, 60, 62, 62, 58, 64, 40};
 
 }  // namespace
 

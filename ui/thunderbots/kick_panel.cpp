@@ -59,14 +59,11 @@ KickPanel::KickPanel(Bench& bench, RobotChoice& choice, KickSettings& kick, QWid
     setObjectName(QStringLiteral("kickPanel"));
     kick_.attach(bench.settings());
     auto* left = new QVBoxLayout;
-    left->setSpacing(metrics::kGap);
+    left->setSpacing(6);
     left->addWidget(makePulses());
     left->addWidget(makeButtons());
     autokickLine_ = makeLine("autokickLine", this);
     notice_ = makeLine("kickNotice", this);
-    notice_->setWordWrap(true);
-    notice_->setMinimumHeight(2 * kLineHeight);
-    notice_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     left->addWidget(autokickLine_);
     left->addWidget(notice_);
     left->addStretch(1);
@@ -87,7 +84,7 @@ QWidget* KickPanel::makePulses() {
     auto* box = new QWidget(this);
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(metrics::kGap);
+    column->setSpacing(6);
     view_ = new KickPulsesView(box);
     fields_ = new KickFields(box);
     wire_ = makeLine("kickWire", box);
@@ -196,14 +193,13 @@ void KickPanel::refresh() {
 void KickPanel::showPulses() {
     const wire::KickPulses& pulses = kick_.pulses();
     const auto encoded = wire::encodePulses(pulses);
-    if (view_->pulses() != pulses) fields_->showPulses(pulses);
-    view_->showPulses(pulses, encoded.has_value());
+    view_->showPulses(pulses);
     fields_->showPulses(pulses);
     QString text =
         encoded ? tr("on the wire: %1").arg(wireText(encoded->times)) : tr("no such kick exists on the wire");
     if (!snapped_.isEmpty()) text = QStringLiteral("%1   %2").arg(text, snapped_);
     wire_->setText(text);
-    wire_->setToolTip(text);
+    wire_->setToolTip(snapped_.isEmpty() ? text : QStringLiteral("%1\n%2").arg(text, snapped_));
 }
 
 void KickPanel::showButtons(const Snapshot* snapshot) {
@@ -290,9 +286,10 @@ void KickPanel::showLines(const Snapshot& snapshot, const QString& reason) {
         const QString blocked = reasonNotToAutokick(&snapshot, summary_, false, kick_.pulses());
         text = blocked.isEmpty() || autokicking(snapshot, summary_.live) != All::None
                    ? lastKickText(snapshot)
-                   : QStringLiteral("%1 %2").arg(blocked, lastKickText(snapshot));
+                   : QStringLiteral("%1 \u00b7 %2").arg(blocked, lastKickText(snapshot));
     }
     notice_->setText(text);
+    notice_->setToolTip(text);
     notice_->setForegroundRole(trouble && reason.isEmpty() ? QPalette::WindowText
                                                            : QPalette::PlaceholderText);
 }

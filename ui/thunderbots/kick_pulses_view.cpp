@@ -14,14 +14,14 @@ using namespace thunderbots;
 
 namespace {
 
-constexpr int kHeight = 116;
+constexpr int kHeight = 112;
 constexpr int kLeastWidth = 280;
 constexpr int kLeftMargin = 28;
 constexpr int kRightMargin = 20;
 constexpr int kScaleHeight = 20;
 constexpr double kPulseHeight = 28;
-constexpr double kFirstBase = 44;
-constexpr double kSecondBase = 90;
+constexpr double kFirstBase = 42;
+constexpr double kSecondBase = 86;
 constexpr double kKnob = 5;
 constexpr int kPageSteps = 10;
 
@@ -54,7 +54,7 @@ KickPulsesView::KickPulsesView(QWidget* parent) : QWidget(parent) {
     labels_ = {tr("solenoid 1"), tr("solenoid 2")};
     for (const PulseEdge edge : kPulseEdges)
         handles_[static_cast<std::size_t>(edge)] = new PulseHandle(edge, this);
-    showPulses({}, true);
+    showPulses({});
 }
 
 QSize KickPulsesView::sizeHint() const {
@@ -73,15 +73,8 @@ double KickPulsesView::baseOf(int solenoid) const {
     return solenoid == 1 ? kFirstBase : kSecondBase;
 }
 
-void KickPulsesView::showPulses(const wire::KickPulses& pulses, bool possible) {
+void KickPulsesView::showPulses(const wire::KickPulses& pulses) {
     pulses_ = pulses;
-    possible_ = possible;
-    placeHandles();
-    update();
-}
-
-void KickPulsesView::setLabels(const QString& first, const QString& second) {
-    labels_ = {first, second};
     placeHandles();
     update();
 }
@@ -93,7 +86,9 @@ void KickPulsesView::placeHandles() {
         const int solenoid = solenoidOf(edge);
         const int time_us = timeOf(pulses_, edge);
         const double x = along.pixelOf(std::min(time_us, along.span_us));
-        const double y = baseOf(solenoid) - kPulseHeight / 2;
+        // Of a pulse that is none only the line is there to lie on.
+        const bool isPulse = (solenoid == 1 ? pulses_.width1_us : pulses_.width2_us) > 0;
+        const double y = baseOf(solenoid) - (isPulse ? kPulseHeight / 2 : 0);
         handle->move(static_cast<int>(x) - PulseHandle::kSize / 2,
                      static_cast<int>(y) - PulseHandle::kSize / 2);
         const QString& label = labels_[static_cast<std::size_t>(solenoid - 1)];

@@ -16,9 +16,7 @@ class KickPulsesView final : public QWidget {
   public:
     explicit KickPulsesView(QWidget* parent = nullptr);
 
-    /// `possible`: whether the wire has room for it.
-    void showPulses(const thunderbots::wire::KickPulses& pulses, bool possible);
-    void setLabels(const QString& first, const QString& second);
+    void showPulses(const thunderbots::wire::KickPulses& pulses);
     const thunderbots::wire::KickPulses& pulses() const { return pulses_; }
     PulseAxis axis() const;
     PulseHandle* handle(PulseEdge edge) const { return handles_[static_cast<std::size_t>(edge)]; }
@@ -42,7 +40,6 @@ class KickPulsesView final : public QWidget {
     double baseOf(int solenoid) const;
 
     thunderbots::wire::KickPulses pulses_;
-    bool possible_ = true;
     std::array<QString, 2> labels_;
     std::array<PulseHandle*, kPulseEdges.size()> handles_{};
 };

@@ -41,7 +41,7 @@ KickSweepBox::KickSweepBox(QSettings& settings, QWidget* parent)
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(metrics::kGap);
-    grid->setVerticalSpacing(6);
+    grid->setVerticalSpacing(4);
     solenoid_->addItem(QStringLiteral("1"), 1);
     solenoid_->addItem(QStringLiteral("2"), 2);
     solenoid_->setToolTip(tr("The other width and the offset stay as they are in the Kick panel."));

@@ -130,8 +130,7 @@ QString sweepText(const SweepProgress& sweep) {
     const int step = std::max(0, next - 1) / sweep.plan.kicksPerStep;
     const auto encoded = wire::encodePulses(pulsesAt(sweep.plan, step));
     const wire::KickPulses pulses = encoded ? encoded->sent : wire::KickPulses{};
-    return Words::tr("Robot %1: kick %2 of %3, %4: %5")
-        .arg(sweep.plan.robot)
+    return Words::tr("kick %1 of %2 \u00b7 %3 \u00b7 %4")
         .arg(next)
         .arg(sweep.total)
         .arg(pulsesText(pulses), stageText(sweep.stage));

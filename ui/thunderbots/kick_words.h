@@ -20,7 +20,7 @@ QString measureText(const thunderbots::KickRecord& record);
 QString measureWord(thunderbots::KickMeasure measure);
 /// What made the robot kick.
 QString causeText(thunderbots::KickCause cause);
-/// "kick 3 of 12, 960 µs: charging"; how it ended when it has.
+/// "kick 3 of 12 · 960 / 0 µs · charging"; how it ended when it has.
 QString sweepText(const thunderbots::SweepProgress& sweep);
 /// How charging goes: "charged in 3.1 s", "charging for 2 s".
 QString chargeText(const thunderbots::ChargeRecord& charge, bool charged, TimePoint now);

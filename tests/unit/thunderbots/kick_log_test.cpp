@@ -264,8 +264,8 @@ TEST_F(KickLogTest, MeasuresChargingFromSwitchingOnToCharged) {
 }
 
 TEST_F(KickLogTest, ChargingThatIsDisturbedIsNotMeasured) {
-    const std::vector<std::function<void()>> disturbances = {
-        [this] { hear(EventKind::Charger, 0); }, [this] { kick(); }, [this] { unknown(); }};
+    const std::vector<std::function<void()>> disturbances = {[this] { hear(EventKind::Charger, 0); },
+                                                             [this] { kick(); }, [this] { unknown(); }};
     for (const auto& disturb : disturbances) {
         reading(0);
         hear(EventKind::Charger, 1);
