@@ -199,6 +199,7 @@ TEST_F(KeysTest, TheFocusGoingWhereTextIsTypedLetsGo) {
 TEST_F(KeysTest, TheWindowLosingTheKeyboardBrakes) {
     down(Qt::Key_W);
     ASSERT_TRUE(waitForward());
+    ASSERT_TRUE(rig.settle());
     emit qApp->applicationStateChanged(Qt::ApplicationInactive);
     EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block == wire::brakedBlock(); }));
 }

@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 constexpr const char* kLettersSetting = "drive/keys";
 constexpr const char* kSpeedSetting = "drive/keySpeed_percent";
 constexpr int kFirstSpeed_percent = 40;
-constexpr int kCapWidth = 30;
+constexpr int kCapWidth = 40;
 constexpr int kSpeedWidth = 56;
 /// How soon after it a lost release is noticed.
 constexpr auto kWatch = 50ms;
@@ -88,7 +88,7 @@ DriveKeysBox::DriveKeysBox(QSettings& settings, QWidget* parent)
     row->addStretch(1);
     row->addWidget(new QLabel(tr("at"), this));
     row->addWidget(speed_);
-    row->addWidget(new QLabel(tr("% of the limit"), this));
+    row->addWidget(new QLabel(tr("%"), this));
     connect(on_, &QPushButton::toggled, this, [this] {
         letGo();
         showCaps();

@@ -1,5 +1,6 @@
 #include "ui/thunderbots/drive_panel.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QResizeEvent>
 #include <QSettings>
@@ -28,7 +29,7 @@ using namespace std::chrono_literals;
 constexpr const char* kReleaseSetting = "drive/releaseToZero";
 constexpr const char* kBodySetting = "drive/body";
 /// From here on the two boxes stand side by side.
-constexpr int kWideEnough = 620;
+constexpr int kWideEnough = 600;
 constexpr int kVoltageWidth = 236;
 constexpr int kBoxGap = 20;
 
@@ -66,7 +67,8 @@ DrivePanel::DrivePanel(Bench& bench, DriveControl& control, QWidget* parent)
 
 void DrivePanel::build() {
     told_->setObjectName(QStringLiteral("told"));
-    told_->setFont(numberFont(metrics::kTextSize));
+    told_->setFont(numberFont(metrics::kSmallTextSize + 1));
+    told_->setForegroundRole(QPalette::PlaceholderText);
     notice_->setObjectName(QStringLiteral("notice"));
     notice_->setWordWrap(true);
     notice_->setMinimumHeight(20);
@@ -78,9 +80,16 @@ void DrivePanel::build() {
     column->setSpacing(metrics::kGap);
     column->addLayout(boxes_);
     column->addWidget(keys_);
-    column->addWidget(told_);
-    column->addWidget(notice_);
+    auto* bottom = new QHBoxLayout;
+    bottom->setSpacing(metrics::kGap);
+    bottom->addWidget(notice_, 1);
+    bottom->addWidget(wheels_->releaseBox());
+    column->addLayout(bottom);
     column->addStretch(1);
+}
+
+QWidget* DrivePanel::headerTools() {
+    return told_;
 }
 
 void DrivePanel::connectWheels() {

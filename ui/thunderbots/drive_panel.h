@@ -23,6 +23,8 @@ class DrivePanel final : public Panel {
   public:
     DrivePanel(Bench& bench, DriveControl& control, QWidget* parent = nullptr);
 
+    /// What the robots were told.
+    QWidget* headerTools() override;
     /// Stops whatever moves, charges or is armed.
     void closed() override;
 

@@ -38,6 +38,23 @@ double chipWidth(const QString& text) {
     return widthOf(text, tileWordFont(false)) + 2 * kChipPadding;
 }
 
+/// Two lines: parted at the colon where both parts fit, else as full as the first one gets.
+QStringList sentenceLines(const QString& text, double room) {
+    const qsizetype colon = text.indexOf(QStringLiteral(": "));
+    if (colon > 0 && chipWidth(text.left(colon + 1)) <= room)
+        return {text.left(colon + 1), text.mid(colon + 2)};
+    QStringList lines{QString()};
+    for (const QString& word : text.split(u' ')) {
+        const QString longer = lines.back().isEmpty() ? word : lines.back() + u' ' + word;
+        if (lines.size() < 2 && chipWidth(longer) > room) {
+            lines.append(word);
+        } else {
+            lines.back() = longer;
+        }
+    }
+    return lines;
+}
+
 /// Lays one tile out, from the top to the bottom.
 class Layouter {
   public:
@@ -109,17 +126,8 @@ class Layouter {
         const QString& text = content_.chips.front().text;
         const double room = right() - left();
         if (chipWidth(text) <= room) return false;
-        QStringList lines{QString()};
-        for (const QString& word : text.split(u' ')) {
-            const QString longer = lines.back().isEmpty() ? word : lines.back() + u' ' + word;
-            if (lines.size() < 2 && chipWidth(longer) > room) {
-                lines.append(word);
-            } else {
-                lines.back() = longer;
-            }
-        }
         const double height = 2 * kChipLine + 1;
-        out_.chips.push_back({{left(), bottom() - height, room, height}, lines});
+        out_.chips.push_back({{left(), bottom() - height, room, height}, sentenceLines(text, room)});
         nextX_ = right();
         return true;
     }

@@ -77,7 +77,6 @@ QWidget* WheelsBox::makeTop() {
     row->addWidget(mode_);
     row->addWidget(run_);
     row->addStretch(1);
-    row->addWidget(release_);
     mode_->button(kWheelsPage)->setObjectName(QStringLiteral("wheelMode"));
     mode_->button(kBodyPage)->setObjectName(QStringLiteral("bodyMode"));
     mode_->button(kWheelsPage)->setToolTip(tr("One set point for each wheel."));

@@ -33,6 +33,8 @@ class WheelsBox final : public QWidget {
     bool isBody() const;
     void setBody(bool on);
 
+    /// Stands wherever there is room for it.
+    QCheckBox* releaseBox() const { return release_; }
     SetPointSlider* wheel(int index) const { return wheels_[static_cast<std::size_t>(index)]; }
 
   signals:
