@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QShowEvent>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -25,6 +26,7 @@ namespace {
 enum Mode { kBody = 0, kWheels = 1 };
 
 constexpr int kColumnGap = 20;
+constexpr int kLeastWidth = 540;
 constexpr int kNumberWidth = 56;
 constexpr int kInputWidth = 148;
 constexpr int kWidestDeadZone_percent = 50;
@@ -46,13 +48,27 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     row->setSpacing(kColumnGap);
     row->addWidget(makeMap(), 1);
     row->addWidget(makeFeel());
-    auto* column = new QVBoxLayout(this);
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
     column->setContentsMargins(metrics::kPadding, 10, metrics::kPadding, metrics::kGap);
     column->setSpacing(metrics::kGap);
     column->addWidget(makeTop());
     column->addLayout(row);
     column->addWidget(state_);
     column->addStretch(1);
+    // A window that is too low for all of it scrolls.
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setMinimumWidth(kLeastWidth);
+    area->setWidget(content);
+    area->viewport()->setAutoFillBackground(false);
+    content->setAutoFillBackground(false);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
     connect(pad_, &DrivePad::changed, this, &DrivePadPanel::refresh);
     connect(pad_, &DrivePad::moved, this, &DrivePadPanel::showPicture);
     connect(&control_, &DriveControl::changed, this, &DrivePadPanel::refresh);

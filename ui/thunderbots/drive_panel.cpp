@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QSettings>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -32,6 +33,7 @@ constexpr const char* kBodySetting = "drive/body";
 constexpr int kWideEnough = 600;
 constexpr int kVoltageWidth = 236;
 constexpr int kBoxGap = 20;
+constexpr int kLeastWidth = 540;
 
 }  // namespace
 
@@ -75,7 +77,8 @@ void DrivePanel::build() {
     boxes_->setSpacing(kBoxGap);
     boxes_->addWidget(wheels_, 1);
     boxes_->addWidget(voltage_);
-    auto* column = new QVBoxLayout(this);
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
     column->setContentsMargins(metrics::kPadding, 10, metrics::kPadding, metrics::kGap);
     column->setSpacing(metrics::kGap);
     column->addLayout(boxes_);
@@ -86,6 +89,19 @@ void DrivePanel::build() {
     bottom->addWidget(wheels_->releaseBox());
     column->addLayout(bottom);
     column->addStretch(1);
+    // A window that is too low for all of it scrolls.
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setMinimumWidth(kLeastWidth);
+    area->setWidget(content);
+    area->viewport()->setAutoFillBackground(false);
+    content->setAutoFillBackground(false);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
 }
 
 QWidget* DrivePanel::headerTools() {
