@@ -54,7 +54,6 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     column->setSpacing(metrics::kGap);
     column->addWidget(makeTop());
     column->addLayout(row);
-    column->addWidget(state_);
     column->addStretch(1);
     // A window that is too low for all of it scrolls.
     auto* area = new QScrollArea(this);
@@ -68,7 +67,10 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     content->setAutoFillBackground(false);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(area);
+    whole->setSpacing(0);
+    whole->addWidget(area, 1);
+    state_->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, metrics::kGap);
+    whole->addWidget(state_);
     connect(pad_, &DrivePad::changed, this, &DrivePadPanel::refresh);
     connect(pad_, &DrivePad::moved, this, &DrivePadPanel::showPicture);
     connect(&control_, &DriveControl::changed, this, &DrivePadPanel::refresh);

@@ -87,7 +87,6 @@ void DrivePanel::build() {
     bottom->setSpacing(metrics::kGap);
     bottom->addWidget(notice_, 1);
     bottom->addWidget(wheels_->releaseBox());
-    column->addLayout(bottom);
     column->addStretch(1);
     // A window that is too low for all of it scrolls.
     auto* area = new QScrollArea(this);
@@ -101,7 +100,10 @@ void DrivePanel::build() {
     content->setAutoFillBackground(false);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(area);
+    whole->setSpacing(0);
+    whole->addWidget(area, 1);
+    bottom->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, metrics::kGap);
+    whole->addLayout(bottom);
 }
 
 QWidget* DrivePanel::headerTools() {
