@@ -68,7 +68,7 @@ Result<std::vector<wire::KickTimes>> planSweep(const SweepPlan& plan) {
     if (auto numbers = checkNumbers(plan); !numbers) return fail(std::move(numbers.error()));
     std::vector<wire::KickTimes> kicks;
     const int steps = stepsOf(plan);
-    kicks.reserve(static_cast<std::size_t>(steps * plan.kicksPerStep));
+    kicks.reserve(static_cast<std::size_t>(steps) * static_cast<std::size_t>(plan.kicksPerStep));
     for (int step = 0; step < steps; ++step) {
         const auto encoded = wire::encodePulses(pulsesAt(plan, step));
         if (!encoded) return fail(wire::toError(encoded.error()));

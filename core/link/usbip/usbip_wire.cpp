@@ -8,7 +8,9 @@ namespace {
 constexpr std::size_t kOpHeaderSize = 8;
 constexpr std::size_t kPathSize = 256;
 constexpr std::size_t kBusIdSize = kMaxBusIdLength + 1;
-constexpr std::size_t kDeviceSize = kPathSize + kBusIdSize + 3 * 4 + 3 * 2 + 6;
+/// Three numbers of four bytes, three of two, six of one.
+constexpr std::size_t kDeviceNumbersSize = 24;
+constexpr std::size_t kDeviceSize = kPathSize + kBusIdSize + kDeviceNumbersSize;
 constexpr std::size_t kInterfaceSize = 4;
 constexpr std::size_t kCommandSize = 48;
 static_assert(kDeviceSize == 312);
