@@ -81,28 +81,37 @@ void KickLog::heard(const Event& event, const RobotState& state) {
     if (charge != before) ++version_;
 }
 
+bool KickLog::isTooSoon(int robot, bool autokick, TimePoint time) {
+    const Robot& known = at(robot);
+    if (known.unclearUntil && time < *known.unclearUntil) return true;
+    if (!known.open) return false;
+    if (recordOf(*known.open).measure == KickMeasure::Waiting) return true;
+    // What has been read may be an autokick's doing well before that is told.
+    return time - known.open->fellAt < (autokick ? kRecentSpan : kSettle);
+}
+
 void KickLog::begin(int robot, KickCause cause, const std::optional<wire::KickTimes>& times, TimePoint time) {
     Robot& known = at(robot);
-    if (known.open) finish(robot, KickMeasure::Overtaken, time);
     // What is in between says nothing about how long charging takes from the beginning.
     chargeOf(robot).since.reset();
     const bool autokick = cause == KickCause::Autokick;
-    if (!autokick && !expected_) {
-        known.recent.restart(time, known.recent.last_V);
-        return;
+    const bool tooSoon = isTooSoon(robot, autokick, time);
+    if (known.open) {
+        if (tooSoon) recordOf(*known.open).after_V.reset();
+        finish(robot, KickMeasure::Overtaken, time);
     }
+    const bool isKick = autokick || expected_;
+    known.unclearUntil.reset();
+    if (tooSoon || !isKick) known.unclearUntil = time + kDropLimit;
+    // A pulse of a discharge moves the voltage as a kick does, and is none.
+    if (!isKick) return;
     KickRecord record;
     record.number = ++given_;
     record.robot = robot;
     record.cause = autokick ? cause : *expected_;
     record.time = time;
     record.times = times;
-    if (known.known) {
-        known.recent.roll(time);
-        record.before_V = autokick ? known.recent.peak_V() : known.recent.last_V;
-    } else {
-        record.measure = KickMeasure::Lost;
-    }
+    record.measure = tooSoon ? KickMeasure::Overtaken : KickMeasure::Lost;
     if (records_.size() == kMost) {
         for (Robot& other : robots_) {
             // The kick whose record gives way is no longer measured.
@@ -111,12 +120,19 @@ void KickLog::begin(int robot, KickCause cause, const std::optional<wire::KickTi
         records_.erase(records_.begin());
     }
     records_.push_back(record);
-    if (known.known) {
-        known.open = Open{record.number, known.recent.last_V, {}, {}};
-        if (autokick) fall(records_.back(), *known.open, known.recent.lowest_V, time);
-        known.recent.restart(time, known.recent.last_V);
-    }
+    if (known.known && !tooSoon) measureFrom(robot, records_.back(), time);
     publish();
+}
+
+void KickLog::measureFrom(int robot, KickRecord& record, TimePoint time) {
+    Robot& known = at(robot);
+    const bool autokick = record.cause == KickCause::Autokick;
+    known.recent.roll(time);
+    record.measure = KickMeasure::Waiting;
+    record.before_V = autokick ? known.recent.peak_V() : known.recent.last_V;
+    known.open = Open{record.number, known.recent.last_V, {}, {}};
+    if (autokick) fall(record, *known.open, known.recent.lowest_V, time);
+    known.recent.restart(time, known.recent.last_V);
 }
 
 KickRecord& KickLog::recordOf(const Open& open) {
@@ -142,8 +158,9 @@ void KickLog::reading(int robot, double volts, TimePoint time) {
         publish();
         return;
     }
-    if (volts < *record.after_V) {
+    if (volts < *record.after_V && time - known.open->fellAt < kSettle) {
         record.after_V = volts;
+        known.recent.restart(time, volts);
         known.open->crossedAt.reset();
         publish();
     } else {
@@ -160,6 +177,8 @@ void KickLog::fall(KickRecord& record, Open& open, double volts, TimePoint time)
     record.measure = KickMeasure::Recharging;
     record.after_V = volts;
     open.fellAt = time;
+    // What is higher than this again belongs to whatever comes next.
+    at(record.robot).recent.restart(time, volts);
 }
 
 void KickLog::unknown(int robot, TimePoint time) {
@@ -175,7 +194,11 @@ void KickLog::unknown(int robot, TimePoint time) {
 }
 
 void KickLog::advance(int robot, TimePoint time) {
-    const Robot& known = at(robot);
+    Robot& known = at(robot);
+    if (known.unclearUntil && time >= *known.unclearUntil) {
+        known.unclearUntil.reset();
+        known.recent.restart(time, known.recent.last_V);
+    }
     if (!known.open) return;
     KickRecord& record = recordOf(*known.open);
     if (record.measure == KickMeasure::Waiting) {

@@ -40,8 +40,11 @@ class KickLog final : public SampleSink {
     /// Ends what has taken too long.
     void tick(TimePoint now);
 
-    /// Whether a kick of this robot is still being measured.
-    bool measuring(int robot) const { return robots_[static_cast<std::size_t>(robot)].open.has_value(); }
+    /// Whether it is not known yet what this robot's kicks have done.
+    bool measuring(int robot) const {
+        const Robot& known = robots_[static_cast<std::size_t>(robot)];
+        return known.open.has_value() || known.unclearUntil.has_value();
+    }
     /// Immutable once given out; never null.
     std::shared_ptr<const KickRecords> records() const { return shown_; }
     const std::array<ChargeRecord, kRobots>& charges() const { return charges_; }
@@ -73,10 +76,14 @@ class KickLog final : public SampleSink {
         bool known = false;  ///< Whether the voltage is known now.
         Recent recent;
         std::optional<Open> open;
+        /// Until then a fall may be due to kicks that are not measured.
+        std::optional<TimePoint> unclearUntil;
         std::optional<wire::KickTimes> autokick;
     };
 
     void begin(int robot, KickCause cause, const std::optional<wire::KickTimes>& times, TimePoint time);
+    bool isTooSoon(int robot, bool autokick, TimePoint time);
+    void measureFrom(int robot, KickRecord& record, TimePoint time);
     void reading(int robot, double volts, TimePoint time);
     void unknown(int robot, TimePoint time);
     void fall(KickRecord& record, Open& open, double volts, TimePoint time);

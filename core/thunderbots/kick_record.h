@@ -22,7 +22,7 @@ enum class KickMeasure : std::uint8_t {
     Recharged,     ///< Complete.
     NoDrop,        ///< It did not fall: `after_V` is what it stayed at.
     NotRecharged,  ///< It fell and did not come back in time.
-    Overtaken,     ///< The robot's next kick came first.
+    Overtaken,     ///< Another kick of the robot came too soon: what was not known by then is nobody's.
     Lost,          ///< The readings stopped, or nobody knew the voltage to begin with: not measured.
 };
 

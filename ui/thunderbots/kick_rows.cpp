@@ -70,7 +70,7 @@ const char* csvName(KickCause cause) {
 
 const char* csvName(KickMeasure measure) {
     constexpr std::array names{"waiting",       "recharging",      "recharged",   "no-drop",
-                               "not-recharged", "next-kick-first", "not-measured"};
+                               "not-recharged", "kicked-again", "not-measured"};
     return names.at(static_cast<std::size_t>(measure));
 }
 

@@ -74,7 +74,7 @@ QString measureWord(KickMeasure measure) {
         case KickMeasure::NotRecharged:
             return Words::tr("not charged again");
         case KickMeasure::Overtaken:
-            return Words::tr("next kick came first");
+            return Words::tr("kicked again");
         case KickMeasure::Lost:
             return Words::tr("not measured");
     }
@@ -98,7 +98,7 @@ QString measureText(const KickRecord& record) {
             break;
     }
     const QString why = record.measure == KickMeasure::Lost ? Words::tr("the readings are missing")
-                                                            : Words::tr("the next kick came first");
+                                                            : Words::tr("another kick came too soon");
     if (record.drop_V()) return Words::tr("%1, recharge not measured: %2").arg(dropText(record), why);
     return Words::tr("not measured: %1").arg(why);
 }

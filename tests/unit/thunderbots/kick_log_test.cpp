@@ -164,14 +164,56 @@ TEST_F(KickLogTest, ALossDuringRechargeKeepsTheDrop) {
 TEST_F(KickLogTest, TheNextKickEndsTheMeasurementOfTheOneBefore) {
     reading(219);
     kick();
-    readings({148, 160}, 100ms);
+    readings({148, 150, 160}, 200ms);
     kick();
     EXPECT_EQ(log.records()->at(0).measure, KickMeasure::Overtaken);
     EXPECT_DOUBLE_EQ(*log.records()->at(0).after_V, 148);
     EXPECT_FALSE(log.records()->at(0).recharge);
     EXPECT_DOUBLE_EQ(*newest().before_V, 160);
+    readings({120}, 200ms);
+    EXPECT_DOUBLE_EQ(*newest().drop_V(), 40);
+}
+
+TEST_F(KickLogTest, KicksThatCannotBeToldApartAreNotMeasured) {
+    reading(219);
     kick();
-    EXPECT_FALSE(log.records()->at(1).drop_V()) << "nothing of it was seen";
+    now += 100ms;
+    kick();
+    now += 100ms;
+    kick();
+    readings({80, 90}, 100ms);
+    for (const KickRecord& record : *log.records()) {
+        EXPECT_EQ(record.measure, KickMeasure::Overtaken);
+        EXPECT_FALSE(record.drop_V()) << "the fall is of all three";
+    }
+    EXPECT_TRUE(log.measuring(3)) << "nor is anything known yet";
+    log.tick(now += KickLog::kDropLimit);
+    EXPECT_FALSE(log.measuring(3));
+    kick();
+    readings({60}, 100ms);
+    EXPECT_DOUBLE_EQ(*newest().drop_V(), 30);
+}
+
+TEST_F(KickLogTest, AnAutokickRightAfterAKickLeavesNoNumberForEither) {
+    reading(219);
+    kick();
+    readings({121}, 150ms);
+    now += 50ms;
+    hear(EventKind::Autokick, 1);
+    EXPECT_FALSE(log.records()->at(0).drop_V()) << "part of the fall may be the autokick's";
+    EXPECT_FALSE(newest().drop_V());
+    EXPECT_TRUE(events.empty());
+}
+
+TEST_F(KickLogTest, AnAutokickDuringRechargeIsMeasuredFromWhatWasReachedByThen) {
+    reading(219);
+    kick();
+    readings({121, 140, 160, 180, 130}, 400ms);
+    now += 50ms;
+    hear(EventKind::Autokick, 1);
+    EXPECT_DOUBLE_EQ(*log.records()->at(0).drop_V(), 98);
+    EXPECT_DOUBLE_EQ(*newest().before_V, 180);
+    EXPECT_DOUBLE_EQ(*newest().after_V, 130);
 }
 
 TEST_F(KickLogTest, AnAutokickThatIsToldOfAfterItsDropIsMeasuredAllTheSame) {
