@@ -169,6 +169,7 @@ Outcome watchFor(SessionRunner& runner, const Context& context, Duration span) {
         context.output.line(eventLine(runner.engine(), event));
     });
     if (auto connected = runner.connect(); !connected) return connected;
+    runner.watchOnly();
     Watch watch(context, runner);
     const auto watched = runner.waitUntil(
         [&watch] {

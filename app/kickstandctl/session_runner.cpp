@@ -196,7 +196,7 @@ Outcome SessionRunner::trouble() const {
         return failed(errorOf(Errc::Cancelled, *context_.interruption.cause()));
     if (context_.output.failed()) return failed(errorOf(Errc::Cancelled, "the output cannot be written"));
     if (!running_) return {};
-    if (snapshot_->stop != StopReason::None) {
+    if (!watchesOnly_ && snapshot_->stop != StopReason::None) {
         Failure failure = failed(errorOf(Errc::StopLatched)).value();
         failure.text.what = Words::tr("Everything was stopped: %1.").arg(describe(snapshot_->stop));
         failure.text.remedy = Words::tr("Put that right, then start the command again.");
@@ -204,7 +204,8 @@ Outcome SessionRunner::trouble() const {
     }
     if (session() == nullptr) return failed(errorOf(Errc::NotConnected));
     if (state().link == thunderbots::LinkState::Failed && state().error) return failed(*state().error);
-    if (state().link == thunderbots::LinkState::Searching) return failed(errorOf(Errc::Disconnected));
+    if (!watchesOnly_ && state().link == thunderbots::LinkState::Searching)
+        return failed(errorOf(Errc::Disconnected));
     return {};
 }
 

@@ -28,6 +28,8 @@ class SessionRunner {
     Outcome connect();
     /// Waits until these robots are heard.
     Outcome awaitRobots(thunderbots::RobotMask robots);
+    /// From now on no STOP ends a wait, nor a link that is lost and looked for: for what only watches.
+    void watchOnly() { watchesOnly_ = true; }
     /// Waits until what a robot says of itself is known.
     Outcome awaitReadings(int robot);
     /// Waits until nothing new comes: every robot that is heard has readings, or two seconds have passed.
@@ -62,6 +64,7 @@ class SessionRunner {
     LinkUri uri_;
     SessionId session_ = 0;
     bool running_ = false;  ///< Whether the link has to run from now on.
+    bool watchesOnly_ = false;
     bool finished_ = false;
     bool braked_ = false;
     std::shared_ptr<const EngineSnapshot> snapshot_;

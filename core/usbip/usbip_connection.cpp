@@ -77,7 +77,7 @@ void UsbipConnection::received(ByteView bytes) {
 }
 
 Parse UsbipConnection::takeMessage(ByteView bytes) {
-    return imported_ ? takeCommand(bytes) : takeRequest(bytes);
+    return imported_ || unpluggedAt_ ? takeCommand(bytes) : takeRequest(bytes);
 }
 
 Parse UsbipConnection::takeRequest(ByteView bytes) {
@@ -97,8 +97,11 @@ Parse UsbipConnection::takeCommand(ByteView bytes) {
     Command command;
     const Parse parse = usbip::parseCommand(bytes, command);
     if (parse.status != Parse::Status::Complete) return parse;
-    if (command.device != imported_->device.id())
-        return {Parse::Status::Malformed, 0, "a command for another device"};
+    if (command.device != deviceId_) return {Parse::Status::Malformed, 0, "a command for another device"};
+    if (unpluggedAt_) {
+        refuse(command);
+        return parse;
+    }
     if (command.kind == Command::Kind::Unlink) {
         unlink(command);
         return parse;
@@ -129,6 +132,7 @@ void UsbipConnection::import(const std::string& busId) {
     }
     entry->taken = true;
     imported_ = entry;
+    deviceId_ = entry->device.id();
     controller_ = std::make_unique<UsbHostController>(scheduler_, *entry->model);
     controller_->setAttachedListener([this](bool attached) { attachedChanged(attached); });
     ++hall_.report.imports;
@@ -136,8 +140,31 @@ void UsbipConnection::import(const std::string& busId) {
     send(usbip::encodeImportReply(status, entry->device));
 }
 
+// ---- The unplugged device ----
+
 void UsbipConnection::attachedChanged(bool attached) {
-    if (!attached) controller_->later([this] { end("lost its device, which was unplugged"); });
+    if (attached) return;
+    // After the answers to what it was doing.
+    controller_->later([this] {
+        log("lost its device, which was unplugged");
+        unpluggedAt_ = scheduler_.now();
+        releaseDevice();
+        lingerOn();
+    });
+}
+
+void UsbipConnection::lingerOn() {
+    scheduler_.cancel(quietTimer_);
+    const Duration left = *unpluggedAt_ + limits_.quietMost - scheduler_.now();
+    quietTimer_ = scheduler_.callAfter(std::clamp(left, Duration::zero(), limits_.quiet),
+                                       [this] { end("was let go"); });
+}
+
+void UsbipConnection::refuse(const Command& command) {
+    lingerOn();
+    const TransferStatus status =
+        command.kind == Command::Kind::Unlink ? TransferStatus::Ok : TransferStatus::Shutdown;
+    reply({command.kind, command.sequence, status, 0});
 }
 
 // ---- Transfers ----
@@ -229,7 +256,12 @@ void UsbipConnection::end(const std::string& why) {
 void UsbipConnection::leave() {
     over_ = true;
     scheduler_.cancel(silenceTimer_);
+    scheduler_.cancel(quietTimer_);
     stream_->close();
+    releaseDevice();
+}
+
+void UsbipConnection::releaseDevice() {
     transfers_.clear();
     controller_.reset();
     UsbipExports::Entry* const entry = std::exchange(imported_, nullptr);

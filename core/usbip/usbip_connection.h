@@ -20,6 +20,10 @@ struct UsbipLimits {
     std::size_t transfers = 256;                  ///< Waiting at once.
     std::size_t unsentBytes = 1024UL * 1024;      ///< Answers that it has not read.
     Duration silence = std::chrono::seconds(10);  ///< Until it has said what it wants.
+    /// After an unplug: how long it has to have asked for nothing more before the connection ends, and when
+    /// that is at the latest.
+    Duration quiet = std::chrono::milliseconds(250);
+    Duration quietMost = std::chrono::seconds(2);
 };
 
 /// What a server has seen, for people and tests.
@@ -43,9 +47,11 @@ struct UsbipHall {
 
 /// One client's conversation with a USB/IP server: a list, or an import and then transfers until either side
 /// ends it. Knows no sockets. What the client sends may be anything; what makes no sense ends the connection.
-/// A device that is unplugged ends its transfers with ESHUTDOWN and the connection after them. When the
-/// client goes its transfers are dropped and the device is left unconfigured, as by a bus that loses its
-/// host: a dongle switches its radios off. Everything on the scheduler's thread.
+/// A device that is unplugged ends its transfers with ESHUTDOWN, and so those that are asked for afterwards;
+/// the connection ends when the client has stopped asking. (Linux forgets a transfer that it is told to leave
+/// off before it could send it when the connection ends just then, and whoever waits for that transfer hangs
+/// for good.) When the client goes its transfers are dropped and the device is left unconfigured, as by a bus
+/// that loses its host: a dongle switches its radios off. Everything on the scheduler's thread.
 class UsbipConnection {
   public:
     /// `scheduler` is that of the models. It and `hall` must outlive the connection. `ended` is called once,
@@ -74,6 +80,9 @@ class UsbipConnection {
     void listDevices();
     void import(const std::string& busId);
     void attachedChanged(bool attached);
+    void releaseDevice();
+    void lingerOn();
+    void refuse(const usbip::Command& command);
     void submit(const usbip::Command& command);
     UsbTransferId start(const usbip::Command& command, UsbCallback done);
     UsbTransferId startControl(const usbip::Command& command, UsbCallback done);
@@ -95,6 +104,9 @@ class UsbipConnection {
     const std::uint64_t number_;  ///< By which the log tells clients apart.
     bool over_ = false;
     TimerId silenceTimer_ = 0;
+    std::optional<TimePoint> unpluggedAt_;  ///< When what it had imported went.
+    std::uint32_t deviceId_ = 0;            ///< What it has imported, or had.
+    TimerId quietTimer_ = 0;
     std::vector<std::uint8_t> unread_;  ///< The front of a message that has not come whole.
     UsbipExports::Entry* imported_ = nullptr;
     std::map<std::uint32_t, Transfer> transfers_;  ///< By sequence number.

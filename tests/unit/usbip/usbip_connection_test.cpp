@@ -290,12 +290,47 @@ TEST_F(UsbipConversation, AnUnplugEndsAllThatWaitsAndThenTheConnection) {
         ASSERT_NE(client.answer(sequence), nullptr);
         EXPECT_EQ(client.answer(sequence)->reply.status, Status::Shutdown);
     }
+    EXPECT_FALSE(rig_.inUse());
+    EXPECT_FALSE(client.closed());
+    rig_.advance(250ms);
     EXPECT_TRUE(client.closed());
     EXPECT_EQ(rig_.connections(), 0U);
-    EXPECT_FALSE(rig_.inUse());
     EXPECT_EQ(rig_.scheduler().pending(), 0U);
     device_.plug();
     host();
+}
+
+TEST_F(UsbipConversation, WhatIsAskedOfAnUnpluggedDeviceIsStillAnswered) {
+    RawClient& client = host();
+    const std::uint32_t waiting = client.in(Device::kFastIn, 64);
+    rig_.advance(20ms);
+    device_.unplug();
+    rig_.advance(200ms);
+    EXPECT_EQ(rig_.await(client, client.in(Device::kFastIn, 64)).reply.status, Status::Shutdown);
+    EXPECT_EQ(rig_.await(client, client.out(Device::kFastOut, {1})).reply.status, Status::Shutdown);
+    EXPECT_EQ(rig_.await(client, client.unlink(waiting)).reply.status, Status::Ok);
+    rig_.advance(200ms);
+    EXPECT_FALSE(client.closed()) << "it has asked a moment ago";
+    device_.plug();
+    EXPECT_EQ(rig_.await(client, client.in(Device::kFastIn, 64)).reply.status, Status::Shutdown)
+        << "it has to import what is plugged in again";
+    host();
+    rig_.advance(250ms);
+    EXPECT_TRUE(client.closed());
+    EXPECT_TRUE(rig_.inUse());
+}
+
+TEST_F(UsbipConversation, AClientThatGoesOnAskingOfAnUnpluggedDeviceIsLetGoAllTheSame) {
+    RawClient& client = host();
+    device_.unplug();
+    for (int i = 0; i < 19; ++i) {
+        rig_.advance(100ms);
+        client.in(Device::kFastIn, 64);
+    }
+    EXPECT_FALSE(client.closed());
+    rig_.advance(100ms);
+    EXPECT_TRUE(client.closed());
+    EXPECT_EQ(rig_.scheduler().pending(), 0U);
 }
 
 TEST_F(UsbipConversation, AClientThatGoesLeavesNothingBehind) {
