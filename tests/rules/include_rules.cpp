@@ -92,8 +92,10 @@ void checkInclude(const SourceFile& file, const Include& include, std::vector<Vi
     }
     if (isQt(target) && !mayUseQt(file)) report(kCoreQt, "no Qt here: " + target);
     const Layer layer = placeOf(file.path).layer;
-    if ((layer == Layer::Wire || layer == Layer::Framing) && !isStandardOrExpected(target)) {
-        report(kPure, "wire/ and framing/ include only the standard library, framing and base: " + target);
+    const bool isPure = layer == Layer::Wire || layer == Layer::Image || layer == Layer::Framing;
+    if (isPure && !isStandardOrExpected(target)) {
+        report(kPure,
+               "wire/, image/ and framing/ include only the standard library, framing and base: " + target);
     }
     const bool outside = target.ends_with("qcustomplot.h") || target.ends_with(".moc");
     if (include.quoted && !outside)

@@ -8,7 +8,7 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 14> kUiValueHeaders{
+constexpr std::array<std::string_view, 17> kUiValueHeaders{
     "core/link/link_uri.h",
     "core/link/sim_action.h",
     "core/thunderbots/types.h",
@@ -17,6 +17,9 @@ constexpr std::array<std::string_view, 14> kUiValueHeaders{
     "core/thunderbots/events.h",
     "core/thunderbots/kick_record.h",
     "core/thunderbots/sweep_plan.h",
+    "core/thunderbots/image/flash_image.h",
+    "core/thunderbots/image/image_error.h",
+    "core/thunderbots/image/image_file.h",
     "core/thunderbots/wire/dongle.h",
     "core/thunderbots/wire/faults.h",
     "core/thunderbots/wire/kick.h",
@@ -55,6 +58,7 @@ Place placeInCore(std::string_view rest) {
         if (shared.name == folder) return {shared.layer, folder};
     }
     if (rest.starts_with("wire/")) return {Layer::Wire, folder};
+    if (rest.starts_with("image/")) return {Layer::Image, folder};
     if (rest.starts_with("sim/")) return {Layer::Sim, folder};
     return {Layer::System, folder};
 }
@@ -96,14 +100,16 @@ bool mayInclude(std::string_view from, std::string_view header) {
         case Layer::UiTraffic:
             return uiMayInclude(to, header) || to.layer == Layer::Wire;
         case Layer::Engine:
-            return below || isOneOf(to.layer, {Layer::Engine, Layer::System, Layer::Wire, Layer::Beside});
+            return below || isOneOf(to.layer,
+                                    {Layer::Engine, Layer::System, Layer::Wire, Layer::Image, Layer::Beside});
         case Layer::System:
-            return below || (sameFolder && isOneOf(to.layer, {Layer::System, Layer::Wire}));
+            return below || (sameFolder && isOneOf(to.layer, {Layer::System, Layer::Wire, Layer::Image}));
         case Layer::Sim:
             return below || (sameFolder && isOneOf(to.layer, {Layer::Sim, Layer::Wire}));
         case Layer::Wire:
+        case Layer::Image:
             return isOneOf(to.layer, {Layer::Framing, Layer::Base}) ||
-                   (sameFolder && to.layer == Layer::Wire);
+                   (sameFolder && to.layer == source.layer);
         case Layer::Beside:
             return below || (sameFolder && to.layer == Layer::Beside);
         case Layer::UsbIp:
@@ -133,10 +139,11 @@ std::string_view allowanceOf(std::string_view from) {
         case Layer::Engine:
             return "systems (not their simulators), capture, telemetry, ledger, framing, link, base";
         case Layer::System:
-            return "its own folder and wire, framing, link, base";
+            return "its own folder, its wire and image, framing, link, base";
         case Layer::Sim:
             return "its own folder, its system's wire, framing, link, base";
         case Layer::Wire:
+        case Layer::Image:
             return "its own folder, framing, base";
         case Layer::Beside:
             return "its own folder, framing, link, base";

@@ -14,6 +14,7 @@ enum class Layer : std::uint8_t {
     Engine,
     System,  ///< core/<system>: model and controller.
     Wire,    ///< core/<system>/wire.
+    Image,   ///< core/<system>/image: firmware files.
     Sim,     ///< core/<system>/sim.
     Beside,  ///< capture, telemetry, ledger: beside the systems.
     UsbIp,

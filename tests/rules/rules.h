@@ -20,8 +20,8 @@ struct Violation {
 // The rules, by the names that a violation carries.
 inline constexpr std::string_view kLayer = "layer";      ///< Who may include whom.
 inline constexpr std::string_view kLibrary = "library";  ///< One folder for each outside library.
-inline constexpr std::string_view kPure = "pure";        ///< wire/ and framing/: the standard library only.
-inline constexpr std::string_view kCoreQt = "core-qt";   ///< No Qt in core, but in the named places.
+inline constexpr std::string_view kPure = "pure";  ///< wire/, image/ and framing/: the standard library only.
+inline constexpr std::string_view kCoreQt = "core-qt";            ///< No Qt in core, but in the named places.
 inline constexpr std::string_view kIncludePath = "include-path";  ///< Include paths start at the root.
 inline constexpr std::string_view kPragmaOnce = "pragma-once";
 inline constexpr std::string_view kForeignSource =
