@@ -62,12 +62,36 @@ const char* name(Errc code) {
             return "readings-unknown";
         case Errc::SweepRunning:
             return "sweep-running";
+        case Errc::CheckRunning:
+            return "check-running";
         case Errc::NotCharging:
             return "not-charging";
         case Errc::QueueFull:
             return "queue-full";
         case Errc::HeartbeatStale:
             return "heartbeat-stale";
+        case Errc::RequestPending:
+            return "request-pending";
+        case Errc::Unanswered:
+            return "unanswered";
+        case Errc::NotBraked:
+            return "not-braked";
+        case Errc::CapacitorLive:
+            return "capacitor-live";
+        case Errc::BatteryLow:
+            return "battery-low";
+        case Errc::NotCommitted:
+            return "not-committed";
+        case Errc::FlashRunning:
+            return "flash-running";
+        case Errc::FlashNotRunning:
+            return "flash-not-running";
+        case Errc::AlreadyThere:
+            return "already-there";
+        case Errc::NotVerified:
+            return "not-verified";
+        case Errc::WrongSignature:
+            return "wrong-signature";
     }
     return "unknown";
 }

@@ -42,9 +42,22 @@ enum class Errc : std::uint8_t {
     NotDischarging,
     ReadingsUnknown,
     SweepRunning,
+    CheckRunning,
     NotCharging,
     QueueFull,
     HeartbeatStale,
+    // Firmware: requests to robots, and uploads.
+    RequestPending,
+    Unanswered,
+    NotBraked,
+    CapacitorLive,
+    BatteryLow,
+    NotCommitted,
+    FlashRunning,
+    FlashNotRunning,
+    AlreadyThere,
+    NotVerified,
+    WrongSignature,
 };
 
 /// An error as a value: what kind, and the facts of this case. Plain, copyable, usable from any thread.

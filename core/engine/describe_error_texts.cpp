@@ -153,6 +153,8 @@ constexpr ErrorText kRefusals[] = {
     {Errc::ReadingsUnknown,
      QT_TRANSLATE_NOOP("Error", "The robot has not sent its readings, so its voltage is not known."),
      QT_TRANSLATE_NOOP("Error", "Treat it as live, and wait until it reports.")},
+    {Errc::CheckRunning, QT_TRANSLATE_NOOP("Error", "A check[ of robot {robot}] is running."),
+     QT_TRANSLATE_NOOP("Error", "Wait for its end, or stop it.")},
     {Errc::SweepRunning, QT_TRANSLATE_NOOP("Error", "A sweep[ of robot {robot}] is running."),
      QT_TRANSLATE_NOOP("Error", "Wait for its end, or stop it.")},
     {Errc::NotCharging,
@@ -163,6 +165,55 @@ constexpr ErrorText kRefusals[] = {
     {Errc::HeartbeatStale,
      QT_TRANSLATE_NOOP("Error", "The program was too busy to watch over the robots, so they were braked."),
      QT_TRANSLATE_NOOP("Error", "Re-arm, and close what keeps the computer busy.")},
+};
+
+// Firmware: requests to robots, and uploads.
+constexpr ErrorText kFirmware[] = {
+    {Errc::RequestPending,
+     QT_TRANSLATE_NOOP("Error", "Robot {robot} is still busy with what it was asked before."),
+     QT_TRANSLATE_NOOP("Error", "Wait until it has answered.")},
+    {Errc::RequestPending,
+     QT_TRANSLATE_NOOP("Error", "The robot is still busy with what it was asked before."),
+     QT_TRANSLATE_NOOP("Error", "Wait until it has answered.")},
+    {Errc::Unanswered,
+     QT_TRANSLATE_NOOP("Error",
+                       "The robot[ {robot}] answers, but not to this[: {subject}][, asked {got} times]."),
+     QT_TRANSLATE_NOOP("Error", "Try again; if it stays so, its firmware does not know this request.")},
+    {Errc::NotBraked, QT_TRANSLATE_NOOP("Error", "The robot[ {robot}] is not at rest[: {subject} is on]."),
+     QT_TRANSLATE_NOOP("Error", "Brake it, and switch its dribbler, charger and autokick off.")},
+    {Errc::CapacitorLive,
+     QT_TRANSLATE_NOOP("Error",
+                       "The capacitor[ of robot {robot}] is at {got} V[, and has to be below {highest} V]."),
+     QT_TRANSLATE_NOOP("Error", "Discharge it first.")},
+    {Errc::CapacitorLive, QT_TRANSLATE_NOOP("Error", "The capacitor[ of robot {robot}] is charged."),
+     QT_TRANSLATE_NOOP("Error", "Discharge it first.")},
+    {Errc::BatteryLow,
+     QT_TRANSLATE_NOOP(
+         "Error", "The battery[ of robot {robot}] is at {got} V, too low to be sure of reaching the end."),
+     QT_TRANSLATE_NOOP("Error", "Charge or change it; or allow a low battery if it cannot be helped.")},
+    {Errc::BatteryLow, QT_TRANSLATE_NOOP("Error", "The battery[ of robot {robot}] is low."),
+     QT_TRANSLATE_NOOP("Error", "Charge or change it; or allow a low battery if it cannot be helped.")},
+    {Errc::NotCommitted,
+     QT_TRANSLATE_NOOP("Error", "The robot[ {robot}] has parameters that were applied and not committed."),
+     QT_TRANSLATE_NOOP("Error", "Commit them, or reboot the robot to give them up.")},
+    {Errc::FlashRunning, QT_TRANSLATE_NOOP("Error", "Firmware is being sent to the robot[ {robot}]."),
+     QT_TRANSLATE_NOOP("Error", "Wait for the end of the upload, or cancel it.")},
+    {Errc::FlashNotRunning, QT_TRANSLATE_NOOP("Error", "No firmware is being sent to the robot[ {robot}]."),
+     QT_TRANSLATE_NOOP("Error", "Start the upload first.")},
+    {Errc::AlreadyThere, QT_TRANSLATE_NOOP("Error", "The robot[ {robot}] has exactly this firmware already."),
+     QT_TRANSLATE_NOOP("Error", "Nothing needs to be done; force it to send it all the same.")},
+    {Errc::NotVerified,
+     QT_TRANSLATE_NOOP(
+         "Error", "What the robot[ {robot}] has in its flash is not what was sent[, from address {got} on]."),
+     QT_TRANSLATE_NOOP("Error",
+                       "Start the upload again; if it stays so, the flash memory is worn or broken.")},
+    {Errc::WrongSignature,
+     QT_TRANSLATE_NOOP("Error",
+                       "The robot[ {robot}] runs, but its signature is {got} where {highest} was expected."),
+     QT_TRANSLATE_NOOP("Error", "Start the upload again.")},
+    {Errc::WrongSignature,
+     QT_TRANSLATE_NOOP("Error", "The robot[ {robot}] runs, but not with the firmware that was sent."),
+     QT_TRANSLATE_NOOP("Error", "Start the upload again.")},
 };
 
 template <std::size_t... Sizes>
@@ -176,7 +227,7 @@ constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
     (append(groups), ...);
     return all;
 }
-constexpr auto kAll = joined(kInput, kDevices, kRefusals);
+constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware);
 
 }  // namespace
 

@@ -45,8 +45,12 @@ DongleController::DongleController(Scheduler& scheduler, UsbLink& link, const St
             [this](Error error) { giveUp(std::move(error)); }),
       stateIn_(link, address(Endpoint::StateIn), wire::kPacketBytes, kDepth, {},
                [this](Error error) { giveUp(std::move(error)); }),
-      messageIn_(link, address(Endpoint::MessageIn), wire::kPacketBytes, kDepth, {},
-                 [this](Error error) { giveUp(std::move(error)); }) {
+      messageIn_(
+          link, address(Endpoint::MessageIn), wire::kPacketBytes, kDepth,
+          [this](ByteView packet) {
+              if (messageReceived_) messageReceived_(packet);
+          },
+          [this](Error error) { giveUp(std::move(error)); }) {
     link_.setPresenceListener([this](bool present) { presence(present); });
 }
 

@@ -36,6 +36,10 @@ class DongleController {
 
     StateTransport& stateTransport() { return stateTransport_; }
     MessagePipe& messages() { return messages_; }
+    /// `received` sees every packet of the message IN endpoint (protocol 3.7), after the tap.
+    void setMessageListener(std::function<void(ByteView)> received) {
+        messageReceived_ = std::move(received);
+    }
 
   private:
     void setState(LinkState state);
@@ -60,6 +64,7 @@ class DongleController {
     Scheduler& scheduler_;
     UsbLink& link_;
     std::function<void()> changed_;
+    std::function<void(ByteView)> messageReceived_;
     LinkState state_ = LinkState::Idle;
     std::optional<Error> error_;
     UsbDeviceInfo device_;

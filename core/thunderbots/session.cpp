@@ -22,8 +22,10 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
       link_(std::move(link), host_.scheduler),
       kickLog_(host_.samples, [this](const Event& event) { host_.event(event); }),
       model_(kickLog_, [this](const Event& event) { modelEvent(event); }),
-      controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }) {
+      controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }),
+      requests_(host_.scheduler, controller_.messages()) {
     link_.addObserver(&model_);
+    controller_.setMessageListener([this](ByteView packet) { requests_.received(packet); });
 }
 
 Session::~Session() {
@@ -54,6 +56,7 @@ void Session::modelEvent(const Event& event) {
     if (event.kind == EventKind::RobotFound) {
         driver(event.robot).halt();
         sendBlock(event.robot);
+        requests_.found(event.robot);
     }
     const auto run = static_cast<std::int64_t>(wire::EStop::Run);
     if (event.kind == EventKind::EmergencyStop && event.previous == run && event.code != run &&
@@ -62,6 +65,8 @@ void Session::modelEvent(const Event& event) {
 }
 
 void Session::robotLost(int robot, TimePoint time) {
+    // A check goes on to the next robot, whom nothing moves before a person has said so.
+    if (checker_.running(robot)) checkedRobotLost(robot);
     const bool wasActive = active();
     if (discharger_.running(robot)) {
         discharger_.end(robot);
@@ -76,6 +81,10 @@ void Session::robotLost(int robot, TimePoint time) {
     if (sweeper_.running(robot)) endSweep(model_.isOpen() ? Errc::RobotNotAlive : Errc::Disconnected);
     driver(robot).halt();
     sendBlock(robot);
+    // A robot that was told to reboot goes away for a while: nothing is wrong, and nobody is surprised.
+    const bool expected = requests_.rebooting(robot) && model_.isOpen();
+    requests_.lost(robot, model_.isOpen() ? Errc::RobotNotAlive : Errc::Disconnected);
+    if (expected) return;
     // With its radios down a dongle loses all of them at once: that is the link, not a robot.
     const bool radios = model_.status().radios == wire::RadioState::Running;
     const StopReason reason = radios ? StopReason::RobotLost : StopReason::LinkLost;
@@ -90,6 +99,7 @@ void Session::halt() {
 
 void Session::haltDrivers() {
     if (sweeper_.running()) endSweep(Errc::StopLatched);
+    if (checker_.running()) endCheck(Errc::StopLatched);
     for (int robot = 0; robot < kRobots; ++robot) {
         if (discharger_.running(robot)) {
             discharger_.end(robot);
@@ -114,6 +124,7 @@ void Session::stateChanged() {
     if (state == before) return;
     if (before == LinkState::Running) {
         if (sweeper_.running()) endSweep(Errc::Disconnected);
+        if (checker_.running()) endCheck(Errc::Disconnected);
         resetConnection();
         host_.stop.set(StopReason::LinkLost);
         raise(EventKind::LinkLost, -1, 0, 0, link_.health().lostBecause);
@@ -143,6 +154,7 @@ void Session::step(TimePoint now, bool heartbeatFresh) {
         if (discharger_.running(robot)) stepDischarge(robot, now);
     }
     if (sweeper_.running()) stepSweep(now);
+    if (checker_.running()) stepCheck(now);
     if (heartbeatFresh) controller_.stateTransport().keepAliveIfDue();
 }
 
@@ -256,11 +268,13 @@ Snapshot Session::snapshot() const {
     snapshot.kicks = kickLog_.records();
     snapshot.charges = kickLog_.charges();
     snapshot.sweep = sweeper_.progress();
+    snapshot.check = checker_.progress();
     snapshot.traffic = model_.traffic();
     snapshot.connections = connections_;
     for (int robot = 0; robot < kRobots; ++robot) {
         snapshot.robots[static_cast<std::size_t>(robot)] = model_.robot(robot);
         snapshot.intents[static_cast<std::size_t>(robot)] = driver(robot).intent();
+        snapshot.requests[static_cast<std::size_t>(robot)] = requests_.state(robot);
     }
     return snapshot;
 }

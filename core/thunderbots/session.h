@@ -5,12 +5,14 @@
 
 #include "core/base/session_host.h"
 #include "core/link/tapped_usb_link.h"
+#include "core/thunderbots/bench_checker.h"
 #include "core/thunderbots/commands.h"
 #include "core/thunderbots/discharger.h"
 #include "core/thunderbots/dongle_controller.h"
 #include "core/thunderbots/fleet_model.h"
 #include "core/thunderbots/kick_log.h"
 #include "core/thunderbots/robot_driver.h"
+#include "core/thunderbots/robot_requests.h"
 #include "core/thunderbots/sweeper.h"
 
 namespace kickstand::thunderbots {
@@ -43,7 +45,9 @@ class Session {
     void shutdown(std::function<void()> done);
 
     /// Rises whenever snapshot() would show something else.
-    std::uint64_t version() const { return model_.version() + kickLog_.version() + version_; }
+    std::uint64_t version() const {
+        return model_.version() + kickLog_.version() + requests_.version() + version_;
+    }
     Snapshot snapshot() const;
 
   private:
@@ -63,16 +67,22 @@ class Session {
     void perform(CommandId id, const ClearExperiment& command);
     void perform(CommandId id, const StartSweep& command);
     void perform(CommandId id, const StopSweep& command);
+    void perform(CommandId id, const StartCheck& command);
+    void perform(CommandId id, const AnswerCheck& command);
+    void perform(CommandId id, const StopCheck& command);
     void perform(CommandId id, const SetChannels& command);
 
     /// Does `one` for every robot of the mask that `check` lets pass, and answers with the first error.
     template <class Check, class One>
     void forRobots(CommandId id, RobotMask robots, Check check, One one);
     Result<void> checkRunning() const;
+    /// Whether a robot may move at all; checkMayMove(): by a person's hand.
+    Result<void> checkReady(int robot) const;
     Result<void> checkMayMove(int robot) const;
     Result<void> checkHighVoltage(int robot) const;
     Result<void> checkNotSweeping(int robot) const;
     Result<void> checkSweep(const SweepPlan& plan) const;
+    Result<void> checkCheck(const CheckPlan& plan) const;
     /// `cause`: what it is to be logged as; none for a pulse of a discharge.
     Result<void> giveKick(int robot, const wire::KickTimes& times, std::optional<KickCause> cause,
                           std::function<void(Result<void>)> done);
@@ -88,6 +98,12 @@ class Session {
     void stepSweep(TimePoint now);
     void giveSweepKick(TimePoint now);
     void endSweep(std::optional<Errc> why);
+    void stepCheck(TimePoint now);
+    Result<void> demand(int robot, const CheckDemand& demand, TimePoint now);
+    Result<void> demandKick(int robot);
+    void leaveChecked(int robot);
+    void endCheck(Errc why);
+    void checkedRobotLost(int robot);
     void haltDrivers();
     void resetConnection();
     void close();
@@ -101,9 +117,11 @@ class Session {
     KickLog kickLog_;
     FleetModel model_;
     DongleController controller_;
+    RobotRequests requests_;
     std::array<RobotDriver, kRobots> drivers_;
     Discharger discharger_;
     Sweeper sweeper_;
+    mutable BenchChecker checker_;
     int wheelLimit_ = kStartingWheelLimit;
     bool kickOutstanding_ = false;
     bool sweepKickOutstanding_ = false;

@@ -7,7 +7,9 @@
 #include "core/base/error.h"
 #include "core/base/time.h"
 #include "core/link/usb_types.h"
+#include "core/thunderbots/bench_check.h"
 #include "core/thunderbots/kick_record.h"
+#include "core/thunderbots/request_state.h"
 #include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/types.h"
 #include "core/thunderbots/wire/dongle.h"
@@ -87,10 +89,12 @@ struct RobotIntent {
     bool mustPassZero = true;  ///< Held inputs are refused until they have been at zero.
     bool discharging = false;
     bool sweeping = false;
+    bool checking = false;  ///< A check is at work on it.
 
-    /// Whether it moves, charges, is armed, discharges or sweeps.
+    /// Whether it moves, charges, is armed, discharges, sweeps or is being checked.
     bool active() const {
-        return run || dribbler || highVoltageArmed || charger || autokick || discharging || sweeping;
+        return run || dribbler || highVoltageArmed || charger || autokick || discharging || sweeping ||
+               checking;
     }
 };
 
@@ -122,7 +126,10 @@ struct Snapshot {
     /// The newest kicks of this session, oldest first; never null, immutable.
     std::shared_ptr<const KickRecords> kicks = std::make_shared<const KickRecords>();
     std::array<ChargeRecord, kRobots> charges;
-    std::optional<SweepProgress> sweep;  ///< The one that runs, or the last one that did.
+    std::optional<SweepProgress> sweep;          ///< The one that runs, or the last one that did.
+    std::array<RequestState, kRobots> requests;  ///< What each robot is being asked.
+    /// The check that runs, or the last one that did; without rows there was none. Never null, immutable.
+    std::shared_ptr<const CheckProgress> check = std::make_shared<const CheckProgress>();
     TrafficCounters traffic;
     std::uint64_t connections = 0;  ///< How often the link has come to run.
 
