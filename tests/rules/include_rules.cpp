@@ -45,13 +45,14 @@ struct OutsideLibrary {
     std::string_view home;
     bool (*matches)(std::string_view target);
 };
-constexpr std::array<OutsideLibrary, 5> kOutsideLibraries{{
+constexpr std::array<OutsideLibrary, 6> kOutsideLibraries{{
     {"Asio", "core/link/socket/",
      [](std::string_view t) { return t == "asio.hpp" || t.starts_with("asio/"); }},
     {"libusb", "core/link/usb/", [](std::string_view t) { return t.ends_with("libusb.h"); }},
     {"Qt SerialPort", "core/link/serial/",
      [](std::string_view t) { return t.find("SerialPort") != t.npos && t.starts_with('Q'); }},
     {"QCustomPlot", "ui/plot/", [](std::string_view t) { return t.ends_with("qcustomplot.h"); }},
+    {"SQLite", "core/ledger/", [](std::string_view t) { return t == "sqlite3.h"; }},
     {"SDL", "ui/gamepad/", [](std::string_view t) { return t.starts_with("SDL"); }},
 }};
 
