@@ -80,6 +80,8 @@ const char* name(Errc code) {
             return "capacitor-live";
         case Errc::BatteryLow:
             return "battery-low";
+        case Errc::ParametersUnread:
+            return "parameters-unread";
         case Errc::NotCommitted:
             return "not-committed";
         case Errc::FlashRunning:

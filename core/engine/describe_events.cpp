@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "core/engine/describe.h"
+#include "core/engine/describe_check.h"
 #include "core/engine/describe_facts.h"
+#include "core/engine/describe_parameters.h"
 #include "core/thunderbots/wire/faults.h"
 #include "core/thunderbots/wire/readings.h"
 #include "core/thunderbots/wire/test_mode.h"
@@ -152,6 +154,26 @@ EventText kickMeasured(const thunderbots::Event& event) {
                            .arg(static_cast<double>(event.code) / 1000, 0, 'f', 1));
 }
 
+Text checkEvent(const thunderbots::Event& event) {
+    switch (event.kind) {
+        case EventKind::CheckStarted:
+            return information(Event::tr("check begun, number of robots: %1").arg(event.code));
+        case EventKind::RobotChecked: {
+            const auto verdict = static_cast<thunderbots::CheckVerdict>(event.code);
+            if (verdict == thunderbots::CheckVerdict::Passed)
+                return information(Event::tr("checked: passed every step"));
+            return warning(Event::tr("checked: %1, steps that did not pass: %2")
+                               .arg(describe(verdict))
+                               .arg(event.previous));
+        }
+        case EventKind::CheckEnded:
+            if (event.code == 0) return information(Event::tr("check done"));
+            return warning(Event::tr("check ended early: %1").arg(reason(event.code, event.text)));
+        default:
+            return {};
+    }
+}
+
 EventText sweepEnded(const thunderbots::Event& event) {
     if (event.code == 0) return information(Event::tr("sweep done, kicks given: %1").arg(event.previous));
     return warning(Event::tr("sweep ended early, kicks given: %1: %2")
@@ -220,7 +242,7 @@ EventText troubleEvent(const thunderbots::Event& event) {
 }
 
 EventText textOf(const thunderbots::Event& event) {
-    for (const auto& group : {linkEvent, robotEvent, highVoltageEvent}) {
+    for (const auto& group : {linkEvent, robotEvent, highVoltageEvent, checkEvent}) {
         if (auto text = group(event)) return *std::move(text);
     }
     return troubleEvent(event);

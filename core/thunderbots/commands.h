@@ -2,9 +2,11 @@
 
 #include <variant>
 
+#include "core/thunderbots/bench_check.h"
 #include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/types.h"
 #include "core/thunderbots/wire/kick.h"
+#include "core/thunderbots/wire/parameters.h"
 #include "core/thunderbots/wire/test_mode.h"
 
 namespace kickstand::thunderbots {
@@ -103,6 +105,26 @@ struct StartSweep {
     SweepPlan plan;
 };
 
+/// Checks robots, one after another, by a fixed list of steps. Nothing moves before a person has said that
+/// the robot stands free. Answered when it has begun; the snapshot's `check` and events tell how it goes.
+/// What the chosen robots were doing ends. Refused with NotArmed where high voltage is to be checked,
+/// RobotNotAlive when none of them is heard, CheckRunning, SweepRunning, OutOfRange past the wheels' limit,
+/// and planCheck()'s errors. While it runs, the robot at work takes nothing else that moves, charges or kicks
+/// (CheckRunning); to brake or disarm it ends the check.
+struct StartCheck {
+    CheckPlan plan;
+};
+
+/// Answers what is asked in row `row` of the check. Refused with BadArgument when something else is, or
+/// nothing.
+struct AnswerCheck {
+    std::size_t row = 0;
+    CheckAnswer answer = CheckAnswer::Skip;
+};
+
+/// Ends the check; its robot is braked, its charger off. Done as well where none runs.
+struct StopCheck {};
+
 /// Ends the sweep, and takes its kick back where the dongle does not have it yet. Done as well where none
 /// runs.
 struct StopSweep {};
@@ -114,9 +136,43 @@ struct SetChannels {
     std::uint8_t channel1 = 0;
 };
 
+/// Reads a robot's operational parameters, or its build signatures, which takes the robot some seconds
+/// (protocol 4.7, 4.8). Answered when they are in the snapshot. Refused with RobotNotAlive and
+/// RequestPending; Unanswered or TimedOut where the robot does not answer.
+struct ReadParameters {
+    int robot = 0;
+};
+struct ReadSignatures {
+    int robot = 0;
+};
+
+/// Writes a robot's parameters to its volatile copy, where they live until it reboots, and reads them again.
+/// Refused with ParametersUnread before they have been read on this session; BadArgument where what lies
+/// behind the known fields is not as it was read; OutOfRange; NotVerified where the robot has something else
+/// afterwards; ReadParameters' errors.
+struct ApplyParameters {
+    int robot = 0;
+    wire::OperationalParameters parameters;
+};
+
+/// Lets a robot keep its volatile copy for good; its next reboot proves it. Refused with ParametersUnread;
+/// ReadParameters' errors.
+struct CommitParameters {
+    int robot = 0;
+};
+
+/// Reboots a robot: it is gone for some seconds. Refused with StopLatched; NotBraked while it moves, charges
+/// or is armed, ReadingsUnknown and CapacitorLive from 50 V on; NotCommitted while it has applied parameters
+/// that would be lost, unless `discard`; ReadParameters' errors.
+struct RebootRobot {
+    int robot = 0;
+    bool discard = false;
+};
+
 /// Any of them.
-using Command =
-    std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick, SetAutokick,
-                 SetTestMode, Discharge, ClearExperiment, StartSweep, StopSweep, SetChannels>;
+using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick,
+                             SetAutokick, SetTestMode, Discharge, ClearExperiment, StartSweep, StopSweep,
+                             StartCheck, AnswerCheck, StopCheck, SetChannels, ReadParameters, ReadSignatures,
+                             ApplyParameters, CommitParameters, RebootRobot>;
 
 }  // namespace kickstand::thunderbots

@@ -50,8 +50,26 @@ std::string_view name(EventKind kind) {
             return "sweep-started";
         case EventKind::SweepEnded:
             return "sweep-ended";
+        case EventKind::CheckStarted:
+            return "check-started";
+        case EventKind::RobotChecked:
+            return "robot-checked";
+        case EventKind::CheckEnded:
+            return "check-ended";
         case EventKind::ExperimentData:
             return "experiment-data";
+        case EventKind::ParametersRead:
+            return "parameters-read";
+        case EventKind::ParametersApplied:
+            return "parameters-applied";
+        case EventKind::ParametersCommitted:
+            return "parameters-committed";
+        case EventKind::ParametersProven:
+            return "parameters-proven";
+        case EventKind::SignaturesRead:
+            return "signatures-read";
+        case EventKind::RobotRebooting:
+            return "robot-rebooting";
         case EventKind::DongleFault:
             return "dongle-fault";
         case EventKind::DongleText:

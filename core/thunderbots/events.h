@@ -25,21 +25,30 @@ enum class EventKind : std::uint8_t {
     KickDropped,   ///< code: the Errc why.
     KickMeasured,  ///< code: recharge ms, -1 if not measured; previous: mV before; value: lowest volts after.
     Autokick,      ///< code: how many so far.
-    AutokickArmed,     ///< code 1 armed, 0 disarmed.
-    Charger,           ///< code 1 on, 0 off.
-    HighVoltage,       ///< code 1 armed, 0 disarmed.
-    TestMode,          ///< code: class, previous: target.
-    DischargeStarted,  ///< value: volts.
-    DischargeEnded,    ///< value: volts; code: 0 done, otherwise the Errc why it ended early.
-    SweepStarted,      ///< code: how many kicks it will give.
-    SweepEnded,        ///< code: 0 done, otherwise the Errc why it ended early; previous: kicks given.
-    ExperimentData,    ///< code: bytes known so far.
-    DongleFault,       ///< code: the error-queue code.
-    DongleText,        ///< text: what the dongle printed.
-    Malformed,         ///< code: endpoint, value: how many since the last such event; text: what was wrong.
-    Stalled,           ///< code: endpoint, value: how often in a row.
-    WheelLimit,        ///< code: the new limit, previous: the old one.
-    Channels,          ///< code: radio 0, previous: radio 1.
+    AutokickArmed,        ///< code 1 armed, 0 disarmed.
+    Charger,              ///< code 1 on, 0 off.
+    HighVoltage,          ///< code 1 armed, 0 disarmed.
+    TestMode,             ///< code: class, previous: target.
+    DischargeStarted,     ///< value: volts.
+    DischargeEnded,       ///< value: volts; code: 0 done, otherwise the Errc why it ended early.
+    SweepStarted,         ///< code: how many kicks it will give.
+    SweepEnded,           ///< code: 0 done, otherwise the Errc why it ended early; previous: kicks given.
+    CheckStarted,         ///< code: how many robots it is for.
+    RobotChecked,         ///< code: its CheckVerdict; previous: how many steps did not pass.
+    CheckEnded,           ///< code: 0 through, otherwise the Errc why it ended early.
+    ExperimentData,       ///< code: bytes known so far.
+    ParametersRead,       ///< text: the block, in hex.
+    ParametersApplied,    ///< To the volatile copy.
+    ParametersCommitted,  ///< Unproven until a reboot.
+    ParametersProven,     ///< Read after a reboot. code 1: what was committed, 0: something else.
+    SignaturesRead,       ///< code: of the microcontroller, previous: of the flash.
+    RobotRebooting,       ///< It will vanish for some seconds.
+    DongleFault,          ///< code: the error-queue code.
+    DongleText,           ///< text: what the dongle printed.
+    Malformed,   ///< code: endpoint, value: how many since the last such event; text: what was wrong.
+    Stalled,     ///< code: endpoint, value: how often in a row.
+    WheelLimit,  ///< code: the new limit, previous: the old one.
+    Channels,    ///< code: radio 0, previous: radio 1.
 };
 
 /// One thing that happened, with its facts. Text for people is made in core/engine/describe.h.

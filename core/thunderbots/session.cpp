@@ -23,7 +23,8 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
       kickLog_(host_.samples, [this](const Event& event) { host_.event(event); }),
       model_(kickLog_, [this](const Event& event) { modelEvent(event); }),
       controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }),
-      requests_(host_.scheduler, controller_.messages()) {
+      requests_(host_.scheduler, controller_.messages()),
+      parameters_(host_.scheduler, requests_, host_.event) {
     link_.addObserver(&model_);
     controller_.setMessageListener([this](ByteView packet) { requests_.received(packet); });
 }
@@ -57,6 +58,7 @@ void Session::modelEvent(const Event& event) {
         driver(event.robot).halt();
         sendBlock(event.robot);
         requests_.found(event.robot);
+        parameters_.found(event.robot);
     }
     const auto run = static_cast<std::int64_t>(wire::EStop::Run);
     if (event.kind == EventKind::EmergencyStop && event.previous == run && event.code != run &&
@@ -65,9 +67,12 @@ void Session::modelEvent(const Event& event) {
 }
 
 void Session::robotLost(int robot, TimePoint time) {
-    // A check goes on to the next robot, whom nothing moves before a person has said so.
+    // A check goes on to the next robot, which nothing moves before a person has said so: where nothing but
+    // the check was at work, the loss is the lost robot's alone.
+    const bool checked = checker_.running(robot) && model_.isOpen() &&
+                         model_.status().radios == wire::RadioState::Running;
+    const bool wasActive = checked ? othersBusy(robot) : active();
     if (checker_.running(robot)) checkedRobotLost(robot);
-    const bool wasActive = active();
     if (discharger_.running(robot)) {
         discharger_.end(robot);
         host_.event(Event{EventKind::DischargeEnded,
@@ -84,6 +89,7 @@ void Session::robotLost(int robot, TimePoint time) {
     // A robot that was told to reboot goes away for a while: nothing is wrong, and nobody is surprised.
     const bool expected = requests_.rebooting(robot) && model_.isOpen();
     requests_.lost(robot, model_.isOpen() ? Errc::RobotNotAlive : Errc::Disconnected);
+    parameters_.lost(robot, aliveRobots());
     if (expected) return;
     // With its radios down a dongle loses all of them at once: that is the link, not a robot.
     const bool radios = model_.status().radios == wire::RadioState::Running;
@@ -190,6 +196,15 @@ void Session::sendBlock(int robot) {
     static_cast<void>(controller_.stateTransport().set(robot, wire::brakedBlock()));
 }
 
+void Session::beginDischarge(int robot) {
+    const double capacitor_V = model_.robot(robot).readings.capacitor_V;
+    driver(robot).setDischarging(true);
+    sendBlock(robot);
+    discharger_.begin(robot, capacitor_V, host_.scheduler.now());
+    host_.event(
+        Event{EventKind::DischargeStarted, host_.scheduler.now(), robot, 0, 0, capacitor_V, {}});
+}
+
 void Session::stepDischarge(int robot, TimePoint now) {
     using Finding = Discharger::Finding;
     const Finding finding = discharger_.look(robot, model_.robot(robot), now);
@@ -275,6 +290,7 @@ Snapshot Session::snapshot() const {
         snapshot.robots[static_cast<std::size_t>(robot)] = model_.robot(robot);
         snapshot.intents[static_cast<std::size_t>(robot)] = driver(robot).intent();
         snapshot.requests[static_cast<std::size_t>(robot)] = requests_.state(robot);
+        snapshot.parameters[static_cast<std::size_t>(robot)] = parameters_.state(robot);
     }
     return snapshot;
 }

@@ -11,6 +11,7 @@
 #include "core/thunderbots/dongle_controller.h"
 #include "core/thunderbots/fleet_model.h"
 #include "core/thunderbots/kick_log.h"
+#include "core/thunderbots/parameter_service.h"
 #include "core/thunderbots/robot_driver.h"
 #include "core/thunderbots/robot_requests.h"
 #include "core/thunderbots/sweeper.h"
@@ -46,7 +47,7 @@ class Session {
 
     /// Rises whenever snapshot() would show something else.
     std::uint64_t version() const {
-        return model_.version() + kickLog_.version() + requests_.version() + version_;
+        return model_.version() + kickLog_.version() + requests_.version() + parameters_.version() + version_;
     }
     Snapshot snapshot() const;
 
@@ -71,6 +72,11 @@ class Session {
     void perform(CommandId id, const AnswerCheck& command);
     void perform(CommandId id, const StopCheck& command);
     void perform(CommandId id, const SetChannels& command);
+    void perform(CommandId id, const ReadParameters& command);
+    void perform(CommandId id, const ReadSignatures& command);
+    void perform(CommandId id, const ApplyParameters& command);
+    void perform(CommandId id, const CommitParameters& command);
+    void perform(CommandId id, const RebootRobot& command);
 
     /// Does `one` for every robot of the mask that `check` lets pass, and answers with the first error.
     template <class Check, class One>
@@ -81,6 +87,12 @@ class Session {
     Result<void> checkMayMove(int robot) const;
     Result<void> checkHighVoltage(int robot) const;
     Result<void> checkNotSweeping(int robot) const;
+    Result<void> checkAskable(int robot) const;
+    Result<void> checkApply(const ApplyParameters& command) const;
+    Result<void> checkReboot(const RebootRobot& command) const;
+    /// Gives the command's answer when the robot's has come.
+    ParameterService::Done answering(CommandId id);
+    RobotMask aliveRobots() const;
     Result<void> checkSweep(const SweepPlan& plan) const;
     Result<void> checkCheck(const CheckPlan& plan) const;
     /// `cause`: what it is to be logged as; none for a pulse of a discharge.
@@ -102,6 +114,8 @@ class Session {
     Result<void> demand(int robot, const CheckDemand& demand, TimePoint now);
     Result<void> demandKick(int robot);
     void leaveChecked(int robot);
+    bool othersBusy(int robot) const;
+    void beginDischarge(int robot);
     void endCheck(Errc why);
     void checkedRobotLost(int robot);
     void haltDrivers();
@@ -118,10 +132,11 @@ class Session {
     FleetModel model_;
     DongleController controller_;
     RobotRequests requests_;
+    ParameterService parameters_;
     std::array<RobotDriver, kRobots> drivers_;
     Discharger discharger_;
     Sweeper sweeper_;
-    mutable BenchChecker checker_;
+    BenchChecker checker_;
     int wheelLimit_ = kStartingWheelLimit;
     bool kickOutstanding_ = false;
     bool sweepKickOutstanding_ = false;

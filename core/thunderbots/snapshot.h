@@ -9,6 +9,7 @@
 #include "core/link/usb_types.h"
 #include "core/thunderbots/bench_check.h"
 #include "core/thunderbots/kick_record.h"
+#include "core/thunderbots/parameter_state.h"
 #include "core/thunderbots/request_state.h"
 #include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/types.h"
@@ -91,11 +92,10 @@ struct RobotIntent {
     bool sweeping = false;
     bool checking = false;  ///< A check is at work on it.
 
-    /// Whether it moves, charges, is armed, discharges, sweeps or is being checked.
-    bool active() const {
-        return run || dribbler || highVoltageArmed || charger || autokick || discharging || sweeping ||
-               checking;
-    }
+    /// Whether it moves, charges, discharges or sweeps.
+    bool busy() const { return run || dribbler || charger || autokick || discharging || sweeping; }
+    /// The same, or is armed or being checked.
+    bool active() const { return busy() || highVoltageArmed || checking; }
 };
 
 /// How much passed on the link and how much of it was damaged, since the session began.
@@ -127,6 +127,7 @@ struct Snapshot {
     std::shared_ptr<const KickRecords> kicks = std::make_shared<const KickRecords>();
     std::array<ChargeRecord, kRobots> charges;
     std::optional<SweepProgress> sweep;          ///< The one that runs, or the last one that did.
+    std::array<ParameterState, kRobots> parameters;
     std::array<RequestState, kRobots> requests;  ///< What each robot is being asked.
     /// The check that runs, or the last one that did; without rows there was none. Never null, immutable.
     std::shared_ptr<const CheckProgress> check = std::make_shared<const CheckProgress>();

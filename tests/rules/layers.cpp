@@ -8,7 +8,7 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 17> kUiValueHeaders{
+constexpr std::array<std::string_view, 21> kUiValueHeaders{
     "core/link/link_uri.h",
     "core/link/sim_action.h",
     "core/thunderbots/types.h",
@@ -16,6 +16,9 @@ constexpr std::array<std::string_view, 17> kUiValueHeaders{
     "core/thunderbots/snapshot.h",
     "core/thunderbots/events.h",
     "core/thunderbots/kick_record.h",
+    "core/thunderbots/parameters.h",
+    "core/thunderbots/parameter_draft.h",
+    "core/thunderbots/parameter_state.h",
     "core/thunderbots/sweep_plan.h",
     "core/thunderbots/image/flash_image.h",
     "core/thunderbots/image/image_error.h",
@@ -24,6 +27,7 @@ constexpr std::array<std::string_view, 17> kUiValueHeaders{
     "core/thunderbots/wire/faults.h",
     "core/thunderbots/wire/kick.h",
     "core/thunderbots/wire/kick_timing.h",
+    "core/thunderbots/wire/parameters.h",
     "core/thunderbots/wire/readings.h",
     "core/thunderbots/wire/test_mode.h",
 };
