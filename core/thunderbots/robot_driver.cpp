@@ -93,6 +93,13 @@ void RobotDriver::setSweeping(bool sweeping) {
     if (sweeping) setAutokick(false, {});
 }
 
+void RobotDriver::setChecking(bool checking) {
+    const bool armed = intent_.highVoltageArmed;
+    halt();
+    intent_.highVoltageArmed = armed;
+    intent_.checking = checking;
+}
+
 void RobotDriver::advance(TimePoint now, bool ramped) {
     const double step = kRamp_per_s * seconds(now - advancedAt_);
     advancedAt_ = now;

@@ -33,6 +33,8 @@ class RobotDriver {
     void setDischarging(bool discharging);
     /// A sweep needs the robot to itself: autokick goes off.
     void setSweeping(bool sweeping);
+    /// A check has the robot to itself: all that it was doing ends. So does all that the check had it do.
+    void setChecking(bool checking);
 
     /// Lets the ramp go on to `now`. Without a ramp, or towards zero, the wheels follow at once.
     void advance(TimePoint now, bool ramped);

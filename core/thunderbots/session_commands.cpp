@@ -51,12 +51,17 @@ Result<void> Session::checkRunning() const {
     return {};
 }
 
-Result<void> Session::checkMayMove(int robot) const {
+Result<void> Session::checkReady(int robot) const {
     if (host_.stop.isSet()) return fail(about(robot, Errc::StopLatched));
     if (!heartbeatFresh_) return fail(about(robot, Errc::HeartbeatStale));
     if (model_.status().eStop != wire::EStop::Run) return fail(about(robot, Errc::EmergencyStopNotRun));
     if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
     return {};
+}
+
+Result<void> Session::checkMayMove(int robot) const {
+    if (checker_.running(robot)) return fail(about(robot, Errc::CheckRunning));
+    return checkReady(robot);
 }
 
 Result<void> Session::checkHighVoltage(int robot) const {
@@ -105,6 +110,7 @@ void Session::perform(CommandId id, const Brake& command) {
     forRobots(
         id, command.robots, [](int) -> Result<void> { return {}; },
         [this](int robot) -> Result<void> {
+            if (checker_.running(robot)) endCheck(Errc::Cancelled);
             driver(robot).brake();
             return {};
         });
@@ -155,6 +161,7 @@ void Session::perform(CommandId id, const ArmHighVoltage& command) {
             if (!command.armed && discharger_.running(robot))
                 endDischarge(robot, static_cast<std::int64_t>(Errc::NotArmed));
             if (!command.armed && sweeper_.running(robot)) endSweep(Errc::NotArmed);
+            if (!command.armed && checker_.running(robot)) endCheck(Errc::NotArmed);
             driver(robot).armHighVoltage(command.armed);
             if (before != command.armed) raise(EventKind::HighVoltage, robot, command.armed ? 1 : 0);
             return {};
@@ -209,6 +216,7 @@ void Session::perform(CommandId id, const SetTestMode& command) {
         if (inBlock && !fits) return fail(wire::toError(fits.error(), "test mode"));
         if (inBlock && host_.stop.isSet()) return fail(about(robot, Errc::StopLatched));
         if (inBlock && !heartbeatFresh_) return fail(about(robot, Errc::HeartbeatStale));
+        if (inBlock && checker_.running(robot)) return fail(about(robot, Errc::CheckRunning));
         if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
         return {};
     };
@@ -289,16 +297,7 @@ void Session::perform(CommandId id, const Discharge& command) {
     } else if (robot.freshness != Freshness::Current) {
         answer = fail(about(command.robot, Errc::ReadingsUnknown));
     } else if (!discharger_.running(command.robot)) {
-        driver(command.robot).setDischarging(true);
-        sendBlock(command.robot);
-        discharger_.begin(command.robot, robot.readings.capacitor_V, host_.scheduler.now());
-        host_.event(Event{EventKind::DischargeStarted,
-                          host_.scheduler.now(),
-                          command.robot,
-                          0,
-                          0,
-                          robot.readings.capacitor_V,
-                          {}});
+        beginDischarge(command.robot);
     }
     host_.answer(id, std::move(answer));
 }

@@ -217,6 +217,8 @@ QString ThunderbotsView::actionText(const SimAction& action) const {
         {"ball", QT_TRANSLATE_NOOP("ThunderbotsView", "Ball")},
         {"battery", QT_TRANSLATE_NOOP("ThunderbotsView", "Battery")},
         {"capacitor", QT_TRANSLATE_NOOP("ThunderbotsView", "Capacitor")},
+        {"dead-wheels", QT_TRANSLATE_NOOP("ThunderbotsView", "Dead wheels")},
+        {"broken-charger", QT_TRANSLATE_NOOP("ThunderbotsView", "Charger")},
         {"dead", QT_TRANSLATE_NOOP("ThunderbotsView", "Power")},
         {"e-stop", QT_TRANSLATE_NOOP("ThunderbotsView", "Emergency stop")},
         {"radio-failure", QT_TRANSLATE_NOOP("ThunderbotsView", "Radio failure")},
@@ -238,6 +240,11 @@ std::vector<std::pair<QString, double>> ThunderbotsView::actionChoices(const Sim
         return std::vector<std::pair<QString, double>>{{on, 1}, {off, 0}};
     };
     if (action.name == "ball") return switches(Words::tr("In"), Words::tr("Out"));
+    if (action.name == "dead-wheels") {
+        return {{Words::tr("None"), 0}, {Words::tr("1"), 1}, {Words::tr("2"), 2},
+                {Words::tr("3"), 4},    {Words::tr("4"), 8}, {Words::tr("All"), 15}};
+    }
+    if (action.name == "broken-charger") return switches(Words::tr("Broken"), Words::tr("Works"));
     if (action.name == "dead") return switches(Words::tr("Off"), Words::tr("On"));
     if (action.name == "plugged") return switches(Words::tr("In"), Words::tr("Out"));
     if (action.name == "experiment") return {{Words::tr("Send"), 1}};

@@ -19,14 +19,15 @@ void RobotBody::step(Duration span, const BodyInputs& inputs) {
     double load_A = 0;
     for (std::size_t i = 0; i < wheels.size(); ++i) {
         const double target = inputs.wheels[i];
-        wheels[i].step(span, target, inputs.run);
-        if (!inputs.run) continue;
+        const bool driven = inputs.run && (deadWheels >> i & 1) == 0;
+        wheels[i].step(span, target, driven);
+        if (!driven) continue;
         const double speed = wheels[i].speed();
         load_A += kFriction_AperUnit * std::abs(speed) + kTorque_AperUnit * std::abs(target - speed);
     }
     dribbler.step(span, inputs.dribble, inputs.dribblerDuty);
     if (dribbler.running()) load_A += kDribbler_A * inputs.dribblerDuty / 255;
-    capacitor.step(span, inputs.charge);
+    capacitor.step(span, inputs.charge && !chargerBroken);
     if (capacitor.charging()) load_A += kCharger_A;
     battery.step(span, load_A);
 }

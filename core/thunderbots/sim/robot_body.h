@@ -30,6 +30,8 @@ struct RobotBody {
     /// taken as constant over the span.
     void step(Duration span, const BodyInputs& inputs);
 
+    std::uint8_t deadWheels = 0;  ///< Bit n: wheel n + 1 does not turn, whatever is asked of it.
+    bool chargerBroken = false;   ///< It draws nothing and gives nothing.
     Battery battery;
     Capacitor capacitor;
     std::array<Motor, wire::kWheelCount> wheels;

@@ -302,6 +302,18 @@ void RobotSim::setTemperature(double celsius) {
     body_.dribbler.setTemperature(celsius);
 }
 
+void RobotSim::setDeadWheels(std::uint8_t wheels) {
+    advance();
+    body_.deadWheels = wheels;
+    detailEnd_ = time_ + kSettled;
+}
+
+void RobotSim::setChargerBroken(bool broken) {
+    advance();
+    body_.chargerBroken = broken;
+    detailEnd_ = time_ + kSettled;
+}
+
 void RobotSim::switchPower(bool on) {
     advance();
     const bool running = power_ != RobotPower::Off && power_ != RobotPower::LockedOut;

@@ -83,6 +83,12 @@ class RobotSim {
     double battery_V() const { return body_.battery.rest_V(); }
     void setCapacitor(double volts);
     void setTemperature(double celsius);
+    /// Bit n: wheel n + 1 does not turn any more.
+    void setDeadWheels(std::uint8_t wheels);
+    std::uint8_t deadWheels() const { return body_.deadWheels; }
+    /// A charger that gives nothing.
+    void setChargerBroken(bool broken);
+    bool chargerBroken() const { return body_.chargerBroken; }
     /// Switches the robot off, or on again; that ends a lock-out too. Coming up takes a boot.
     void switchPower(bool on);
     /// Sends the eight pieces of an experiment's buffer (protocol 4.6).

@@ -1,0 +1,277 @@
+#include "core/engine/describe_check.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "core/engine/describe.h"
+
+namespace kickstand {
+
+using namespace thunderbots;
+using wire::TestClass;
+
+namespace {
+
+struct Check {
+    Q_DECLARE_TR_FUNCTIONS(Check)
+};
+
+/// "wheel 2, back left", "the dribbler's motor".
+QString wheelText(int wheel) {
+    switch (wheel) {
+        case 1:
+            return Check::tr("wheel 1, front left");
+        case 2:
+            return Check::tr("wheel 2, back left");
+        case 3:
+            return Check::tr("wheel 3, back right");
+        case 4:
+            return Check::tr("wheel 4, front right");
+        default:
+            return Check::tr("the dribbler's motor");
+    }
+}
+
+QString upperFirst(QString text) {
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+QString lightsText(const wire::TestMode& mode) {
+    switch (mode.testClass) {
+        case TestClass::Lamp:
+            return Check::tr("LEDs: all four on");
+        case TestClass::Hall:
+            return Check::tr("LEDs: Hall sensors of %1").arg(wheelText(mode.target));
+        case TestClass::Encoder:
+            return Check::tr("LEDs: encoder lines of %1").arg(wheelText(mode.target));
+        case TestClass::EncoderCount:
+            return Check::tr("LEDs: encoder count of %1").arg(wheelText(mode.target));
+        default:
+            return Check::tr("LEDs: charger");
+    }
+}
+
+QString lightsQuestion(const wire::TestMode& mode) {
+    switch (mode.testClass) {
+        case TestClass::Lamp:
+            return Check::tr("Are all four LEDs lit?");
+        case TestClass::Hall:
+            return Check::tr("Turn %1 by hand: do LEDs 0 to 2 change, and is never all or none of them lit?")
+                .arg(wheelText(mode.target));
+        case TestClass::Encoder:
+            return Check::tr("Turn %1 by hand: do LEDs 0 and 1 change by turns?").arg(wheelText(mode.target));
+        case TestClass::EncoderCount:
+            return Check::tr("Turn %1 by hand: do the four LEDs count?").arg(wheelText(mode.target));
+        default:
+            return Check::tr("Did LED 0 blink while the capacitor was charged, and did LED 1 stay dark?");
+    }
+}
+
+QString wheelQuestion(const CheckStep& step) {
+    const QString way = step.forward ? Check::tr("counter-clockwise") : Check::tr("clockwise");
+    return Check::tr(
+               "Did %1 turn smoothly, the way that turns the robot %2 as seen from above, and did the "
+               "four LEDs count?")
+        .arg(wheelText(step.wheel), way);
+}
+
+struct KindText {
+    const char* unit;
+    int decimals;
+    bool least;  ///< The limit is the least that passes.
+};
+
+KindText kindText(CheckKind kind) {
+    switch (kind) {
+        case CheckKind::Battery:
+            return {"V", 2, true};
+        case CheckKind::Load:
+            return {"V", 2, false};
+        case CheckKind::Dribbler:
+            return {"°C", 0, false};
+        case CheckKind::Charge:
+            return {"s", 1, false};
+        case CheckKind::Kick:
+            return {"V", 1, true};
+        default:
+            return {"V", 0, false};
+    }
+}
+
+QString number(double value, CheckKind kind) {
+    const KindText text = kindText(kind);
+    return QStringLiteral("%1 %2").arg(value, 0, 'f', text.decimals).arg(QString::fromUtf8(text.unit));
+}
+
+/// The steps of a robot that did not pass, as "Charge (failed)".
+QStringList troubles(const CheckProgress& progress, int robot) {
+    QStringList all;
+    for (const CheckRow& row : progress.rows) {
+        if (row.step.robot != robot || row.verdict == CheckVerdict::Passed ||
+            row.verdict == CheckVerdict::Waiting)
+            continue;
+        all << QStringLiteral("%1 (%2)").arg(describe(row.step), describe(row.verdict));
+    }
+    constexpr qsizetype kMost = 4;
+    if (all.size() > kMost) {
+        const qsizetype more = all.size() - kMost;
+        all = all.first(kMost);
+        all << Check::tr("and %1 more").arg(more);
+    }
+    return all;
+}
+
+}  // namespace
+
+QString describe(const CheckStep& step) {
+    switch (step.kind) {
+        case CheckKind::Ready:
+            return Check::tr("Robot stands free");
+        case CheckKind::Battery:
+            return Check::tr("Battery at rest");
+        case CheckKind::Wheel:
+            return QStringLiteral("%1, %2").arg(upperFirst(wheelText(step.wheel)),
+                                                step.forward ? QStringLiteral("+") : QString(QChar(0x2212)));
+        case CheckKind::Dribbler:
+            return Check::tr("Dribbler, temperature after running");
+        case CheckKind::Load:
+            return Check::tr("Battery under load, sag");
+        case CheckKind::Charge:
+            return Check::tr("Capacitor, time to charged");
+        case CheckKind::Kick:
+            return Check::tr("Kick, drop of the capacitor");
+        case CheckKind::Discharge:
+            return Check::tr("Capacitor after discharge");
+        case CheckKind::Lights:
+            return lightsText(step.mode);
+    }
+    return {};
+}
+
+QString describe(CheckVerdict verdict) {
+    switch (verdict) {
+        case CheckVerdict::Waiting:
+            return Check::tr("not done");
+        case CheckVerdict::Passed:
+            return Check::tr("passed");
+        case CheckVerdict::Failed:
+            return Check::tr("failed");
+        case CheckVerdict::Skipped:
+            return Check::tr("skipped");
+        case CheckVerdict::NotSeen:
+            return Check::tr("not seen");
+    }
+    return {};
+}
+
+QString questionText(const CheckStep& step) {
+    switch (step.kind) {
+        case CheckKind::Ready:
+            return Check::tr(
+                       "Does robot %1 stand on its stand, wheels and dribbler free, nobody's hand near, "
+                       "no ball at the kicker?")
+                .arg(step.robot);
+        case CheckKind::Wheel:
+            return wheelQuestion(step);
+        case CheckKind::Dribbler:
+            return Check::tr("Did the dribbler turn?");
+        case CheckKind::Lights:
+            return lightsQuestion(step.mode);
+        default:
+            return {};
+    }
+}
+
+QString workText(const CheckRow& row, CheckStage stage) {
+    if (stage == CheckStage::Discharging) return Check::tr("The capacitor is emptied first…");
+    switch (row.step.kind) {
+        case CheckKind::Wheel:
+            return Check::tr("%1 runs…").arg(upperFirst(wheelText(row.step.wheel)));
+        case CheckKind::Dribbler:
+            return Check::tr("The dribbler runs…");
+        case CheckKind::Load:
+            return Check::tr("Everything runs, to load the battery…");
+        case CheckKind::Charge:
+            return Check::tr("The capacitor charges: look at LED 0 and LED 1…");
+        case CheckKind::Kick:
+            return Check::tr("Kicks, and measures the capacitor…");
+        case CheckKind::Discharge:
+            return Check::tr("The capacitor is emptied…");
+        default:
+            return Check::tr("%1…").arg(describe(row.step));
+    }
+}
+
+QString valueText(const CheckRow& row) {
+    return row.value ? number(*row.value, row.step.kind) : QString();
+}
+
+QString limitText(const CheckRow& row) {
+    if (!row.limit) return {};
+    const QString limit = number(*row.limit, row.step.kind);
+    return kindText(row.step.kind).least ? Check::tr("at least %1").arg(limit)
+                                         : Check::tr("at most %1").arg(limit);
+}
+
+QString reasonText(const CheckRow& row) {
+    if (!row.why) return {};
+    Error error;
+    error.code = *row.why;
+    return describe(error).what;
+}
+
+QString labelOf(const CheckLimitInfo& info) {
+    static const std::map<std::string_view, const char*> kLabels = {
+        {"least_battery_V", QT_TRANSLATE_NOOP("Check", "Battery, at least")},
+        {"most_sag_V", QT_TRANSLATE_NOOP("Check", "Sag under load, at most")},
+        {"most_dribbler_C", QT_TRANSLATE_NOOP("Check", "Dribbler, at most")},
+        {"most_charge_s", QT_TRANSLATE_NOOP("Check", "Charge time, at most")},
+        {"least_drop_V", QT_TRANSLATE_NOOP("Check", "Drop by a kick, at least")},
+        {"wheel_speed", QT_TRANSLATE_NOOP("Check", "Wheel speed")},
+        {"run_s", QT_TRANSLATE_NOOP("Check", "Wheels run for")},
+        {"kick_us", QT_TRANSLATE_NOOP("Check", "Kick's pulse")},
+    };
+    const auto found = kLabels.find(info.name);
+    return found == kLabels.end() ? QString::fromLatin1(info.name) : Check::tr(found->second);
+}
+
+QString sentenceOf(const CheckProgress& progress, int robot) {
+    const QString why = troubles(progress, robot).join(QStringLiteral(", "));
+    switch (verdictOf(progress, robot)) {
+        case CheckVerdict::Passed:
+            return Check::tr("Robot %1 passed every step.").arg(robot);
+        case CheckVerdict::Waiting:
+            return progress.running() ? Check::tr("Robot %1 is not through yet.").arg(robot)
+                                      : Check::tr("The check of robot %1 was not finished.").arg(robot);
+        case CheckVerdict::Skipped:
+            return Check::tr("Robot %1 failed nothing, but not all was checked: %2.").arg(robot).arg(why);
+        default:
+            return Check::tr("Robot %1 did not pass: %2.").arg(robot).arg(why);
+    }
+}
+
+QString sentenceOf(const CheckProgress& progress) {
+    if (progress.rows.empty()) return {};
+    int robots = 0;
+    int passed = 0;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (!contains(progress.plan.robots, robot)) continue;
+        ++robots;
+        if (verdictOf(progress, robot) == CheckVerdict::Passed) ++passed;
+    }
+    if (progress.endedBy) {
+        Error error;
+        error.code = *progress.endedBy;
+        return Check::tr("The check was ended early: %1 Robots that passed: %2 of %3.")
+            .arg(describe(error).what)
+            .arg(passed)
+            .arg(robots);
+    }
+    return Check::tr("Robots that passed: %1 of %2.").arg(passed).arg(robots);
+}
+
+}  // namespace kickstand
