@@ -125,26 +125,6 @@ struct AnswerCheck {
 /// Ends the check; its robot is braked, its charger off. Done as well where none runs.
 struct StopCheck {};
 
-/// Checks robots, one after another, by a fixed list of steps. Nothing moves before a person has said that
-/// the robot stands free. Answered when it has begun; the snapshot's `check` and events tell how it goes. What
-/// the chosen robots were doing ends. Refused with NotArmed where high voltage is to be checked, RobotNotAlive
-/// when none of them is heard, CheckRunning, SweepRunning, OutOfRange past the wheels' limit, and planCheck()'s
-/// errors. While it runs, the robot at work takes nothing else that moves, charges or kicks (CheckRunning);
-/// to brake or disarm it ends the check.
-struct StartCheck {
-    CheckPlan plan;
-};
-
-/// Answers what is asked in row `row` of the check. Refused with BadArgument when something else is, or
-/// nothing.
-struct AnswerCheck {
-    std::size_t row = 0;
-    CheckAnswer answer = CheckAnswer::Skip;
-};
-
-/// Ends the check; its robot is braked, its charger off. Done as well where none runs.
-struct StopCheck {};
-
 /// Ends the sweep, and takes its kick back where the dongle does not have it yet. Done as well where none
 /// runs.
 struct StopSweep {};
