@@ -1,8 +1,10 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "core/thunderbots/bench_check.h"
+#include "core/thunderbots/flash_plan.h"
 #include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/types.h"
 #include "core/thunderbots/wire/kick.h"
@@ -169,10 +171,41 @@ struct RebootRobot {
     bool discard = false;
 };
 
+/// What a person may have seen to that the program cannot know.
+struct FlashOptions {
+    bool lowBattery = false;        ///< A battery below 14 V will do.
+    bool capacitorUnknown = false;  ///< The capacitor is empty, though it was last known to be charged.
+};
+
+/// Uploads firmware to robots, each for itself (protocol 6.7): one image, or the microcontroller's and then
+/// the FPGA's. Answered when it has begun; the snapshot's `flash` and events tell how it goes. Refused with
+/// StopLatched, BadArgument for other images than these, RobotNotAlive, FlashRunning, RequestPending;
+/// NotBraked while it moves, charges or is armed, CapacitorLive from 50 V on, BatteryLow below 14 V;
+/// NotCommitted while it has applied parameters that would be lost. A robot without a bitstream measures
+/// nothing: it is taken as it is, unless its capacitor was last known to be charged. Meanwhile the robot
+/// takes nothing that moves, charges or asks it something (FlashRunning). STOP lets it finish its page and
+/// pauses it.
+struct StartFlash {
+    RobotMask robots = 0;
+    std::vector<SharedFlashPlan> plans;
+    FlashOptions options;
+};
+
+/// Ends uploads at once; the snapshot's `flash` says how each robot is left. FlashNotRunning.
+struct CancelFlash {
+    RobotMask robots = 0;
+};
+
+/// Goes on with uploads that STOP has paused. StopLatched before it was re-armed; FlashNotRunning.
+struct ResumeFlash {
+    RobotMask robots = 0;
+};
+
 /// Any of them.
-using Command = std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick,
-                             SetAutokick, SetTestMode, Discharge, ClearExperiment, StartSweep, StopSweep,
-                             StartCheck, AnswerCheck, StopCheck, SetChannels, ReadParameters, ReadSignatures,
-                             ApplyParameters, CommitParameters, RebootRobot>;
+using Command =
+    std::variant<SetWheels, Brake, SetWheelLimit, SetDribbler, ArmHighVoltage, SetCharger, Kick, SetAutokick,
+                 SetTestMode, Discharge, ClearExperiment, StartSweep, StopSweep, StartCheck, AnswerCheck,
+                 StopCheck, SetChannels, ReadParameters, ReadSignatures, ApplyParameters, CommitParameters,
+                 RebootRobot, StartFlash, CancelFlash, ResumeFlash>;
 
 }  // namespace kickstand::thunderbots

@@ -70,6 +70,14 @@ std::string_view name(EventKind kind) {
             return "signatures-read";
         case EventKind::RobotRebooting:
             return "robot-rebooting";
+        case EventKind::FlashStarted:
+            return "flash-started";
+        case EventKind::FlashPaused:
+            return "flash-paused";
+        case EventKind::FlashResumed:
+            return "flash-resumed";
+        case EventKind::FlashEnded:
+            return "flash-ended";
         case EventKind::DongleFault:
             return "dongle-fault";
         case EventKind::DongleText:

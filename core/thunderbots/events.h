@@ -43,12 +43,16 @@ enum class EventKind : std::uint8_t {
     ParametersProven,     ///< Read after a reboot. code 1: what was committed, 0: something else.
     SignaturesRead,       ///< code: of the microcontroller, previous: of the flash.
     RobotRebooting,       ///< It will vanish for some seconds.
-    DongleFault,          ///< code: the error-queue code.
-    DongleText,           ///< text: what the dongle printed.
-    Malformed,   ///< code: endpoint, value: how many since the last such event; text: what was wrong.
-    Stalled,     ///< code: endpoint, value: how often in a row.
-    WheelLimit,  ///< code: the new limit, previous: the old one.
-    Channels,    ///< code: radio 0, previous: radio 1.
+    FlashStarted,         ///< code: pages to be sent, previous: images.
+    FlashPaused,          ///< By STOP.
+    FlashResumed,
+    FlashEnded,   ///< code: 0 done, otherwise the Errc why; previous: its FlashLeft; value: seconds.
+    DongleFault,  ///< code: the error-queue code.
+    DongleText,   ///< text: what the dongle printed.
+    Malformed,    ///< code: endpoint, value: how many since the last such event; text: what was wrong.
+    Stalled,      ///< code: endpoint, value: how often in a row.
+    WheelLimit,   ///< code: the new limit, previous: the old one.
+    Channels,     ///< code: radio 0, previous: radio 1.
 };
 
 /// One thing that happened, with its facts. Text for people is made in core/engine/describe.h.

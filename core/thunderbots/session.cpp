@@ -24,7 +24,12 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
       model_(kickLog_, [this](const Event& event) { modelEvent(event); }),
       controller_(host_.scheduler, link_, host_.stop, [this] { stateChanged(); }),
       requests_(host_.scheduler, controller_.messages()),
-      parameters_(host_.scheduler, requests_, host_.event) {
+      parameters_(host_.scheduler, requests_, host_.event),
+      flash_(
+          host_.scheduler, requests_,
+          [this](int robot) { return checkAtRest(robot, flashOptions_[static_cast<std::size_t>(robot)]); },
+          [this] { return controller_.isCable(); },
+          [this](int robot, const FlashProgress& progress) { flashEnded(robot, progress); }) {
     link_.addObserver(&model_);
     controller_.setMessageListener([this](ByteView packet) { requests_.received(packet); });
 }
@@ -58,6 +63,7 @@ void Session::modelEvent(const Event& event) {
         driver(event.robot).halt();
         sendBlock(event.robot);
         requests_.found(event.robot);
+        flash_.found(event.robot);
         parameters_.found(event.robot);
     }
     const auto run = static_cast<std::int64_t>(wire::EStop::Run);
@@ -69,8 +75,8 @@ void Session::modelEvent(const Event& event) {
 void Session::robotLost(int robot, TimePoint time) {
     // A check goes on to the next robot, which nothing moves before a person has said so: where nothing but
     // the check was at work, the loss is the lost robot's alone.
-    const bool checked = checker_.running(robot) && model_.isOpen() &&
-                         model_.status().radios == wire::RadioState::Running;
+    const bool checked =
+        checker_.running(robot) && model_.isOpen() && model_.status().radios == wire::RadioState::Running;
     const bool wasActive = checked ? othersBusy(robot) : active();
     if (checker_.running(robot)) checkedRobotLost(robot);
     if (discharger_.running(robot)) {
@@ -87,8 +93,11 @@ void Session::robotLost(int robot, TimePoint time) {
     driver(robot).halt();
     sendBlock(robot);
     // A robot that was told to reboot goes away for a while: nothing is wrong, and nobody is surprised.
-    const bool expected = requests_.rebooting(robot) && model_.isOpen();
-    requests_.lost(robot, model_.isOpen() ? Errc::RobotNotAlive : Errc::Disconnected);
+    const bool rebooting = requests_.rebooting(robot) || flash_.expectsLoss(robot);
+    const bool expected = rebooting && model_.isOpen();
+    const Errc why = model_.isOpen() ? Errc::RobotNotAlive : Errc::Disconnected;
+    requests_.lost(robot, why);
+    flash_.lost(robot, why);
     parameters_.lost(robot, aliveRobots());
     if (expected) return;
     // With its radios down a dongle loses all of them at once: that is the link, not a robot.
@@ -100,6 +109,7 @@ void Session::robotLost(int robot, TimePoint time) {
 void Session::halt() {
     controller_.messages().dropKicks(Errc::StopLatched);
     haltDrivers();
+    if (host_.stop.isSet()) pauseFlash();
     if (controller_.state() == LinkState::Running) controller_.stateTransport().brakeAll();
 }
 
@@ -149,6 +159,7 @@ void Session::stateChanged() {
 void Session::step(TimePoint now, bool heartbeatFresh) {
     model_.tick(now);
     kickLog_.tick(now);
+    flash_.tick(now);
     if (controller_.state() != LinkState::Running) {
         heartbeatFresh_ = heartbeatFresh;
         return;
@@ -201,8 +212,7 @@ void Session::beginDischarge(int robot) {
     driver(robot).setDischarging(true);
     sendBlock(robot);
     discharger_.begin(robot, capacitor_V, host_.scheduler.now());
-    host_.event(
-        Event{EventKind::DischargeStarted, host_.scheduler.now(), robot, 0, 0, capacitor_V, {}});
+    host_.event(Event{EventKind::DischargeStarted, host_.scheduler.now(), robot, 0, 0, capacitor_V, {}});
 }
 
 void Session::stepDischarge(int robot, TimePoint now) {
@@ -243,6 +253,8 @@ void Session::endDischarge(int robot, std::int64_t code) {
 
 void Session::shutdown(std::function<void()> done) {
     ending_ = true;
+    for (int robot = 0; robot < kRobots; ++robot)
+        flash_.cancel(robot);
     if (controller_.state() != LinkState::Running) {
         resetConnection();
         lastState_ = LinkState::Idle;
@@ -290,6 +302,8 @@ Snapshot Session::snapshot() const {
         snapshot.robots[static_cast<std::size_t>(robot)] = model_.robot(robot);
         snapshot.intents[static_cast<std::size_t>(robot)] = driver(robot).intent();
         snapshot.requests[static_cast<std::size_t>(robot)] = requests_.state(robot);
+        if (const FlashProgress* progress = flash_.progress(robot))
+            snapshot.flash[static_cast<std::size_t>(robot)] = *progress;
         snapshot.parameters[static_cast<std::size_t>(robot)] = parameters_.state(robot);
     }
     return snapshot;

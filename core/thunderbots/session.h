@@ -9,6 +9,7 @@
 #include "core/thunderbots/commands.h"
 #include "core/thunderbots/discharger.h"
 #include "core/thunderbots/dongle_controller.h"
+#include "core/thunderbots/flash_queue.h"
 #include "core/thunderbots/fleet_model.h"
 #include "core/thunderbots/kick_log.h"
 #include "core/thunderbots/parameter_service.h"
@@ -47,7 +48,8 @@ class Session {
 
     /// Rises whenever snapshot() would show something else.
     std::uint64_t version() const {
-        return model_.version() + kickLog_.version() + requests_.version() + parameters_.version() + version_;
+        return model_.version() + kickLog_.version() + requests_.version() + parameters_.version() +
+               flash_.version() + version_;
     }
     Snapshot snapshot() const;
 
@@ -72,6 +74,14 @@ class Session {
     void perform(CommandId id, const AnswerCheck& command);
     void perform(CommandId id, const StopCheck& command);
     void perform(CommandId id, const SetChannels& command);
+    void perform(CommandId id, const StartFlash& command);
+    void perform(CommandId id, const CancelFlash& command);
+    void perform(CommandId id, const ResumeFlash& command);
+    Result<void> checkStartFlash(int robot) const;
+    /// Whether a robot that is being flashed may be erased or rebooted.
+    Result<void> checkAtRest(int robot, const FlashOptions& options) const;
+    void pauseFlash();
+    void flashEnded(int robot, const FlashProgress& progress);
     void perform(CommandId id, const ReadParameters& command);
     void perform(CommandId id, const ReadSignatures& command);
     void perform(CommandId id, const ApplyParameters& command);
@@ -79,8 +89,8 @@ class Session {
     void perform(CommandId id, const RebootRobot& command);
 
     /// Does `one` for every robot of the mask that `check` lets pass, and answers with the first error.
-    template <class Check, class One>
-    void forRobots(CommandId id, RobotMask robots, Check check, One one);
+    void forRobots(CommandId id, RobotMask robots, const std::function<Result<void>(int)>& check,
+                   const std::function<Result<void>(int)>& one);
     Result<void> checkRunning() const;
     /// Whether a robot may move at all; checkMayMove(): by a person's hand.
     Result<void> checkReady(int robot) const;
@@ -133,6 +143,8 @@ class Session {
     DongleController controller_;
     RobotRequests requests_;
     ParameterService parameters_;
+    FlashQueue flash_;
+    std::array<FlashOptions, kRobots> flashOptions_;
     std::array<RobotDriver, kRobots> drivers_;
     Discharger discharger_;
     Sweeper sweeper_;

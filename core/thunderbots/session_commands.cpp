@@ -56,6 +56,7 @@ Result<void> Session::checkReady(int robot) const {
     if (!heartbeatFresh_) return fail(about(robot, Errc::HeartbeatStale));
     if (model_.status().eStop != wire::EStop::Run) return fail(about(robot, Errc::EmergencyStopNotRun));
     if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
+    if (flash_.running(robot)) return fail(about(robot, Errc::FlashRunning));
     return {};
 }
 
@@ -70,8 +71,8 @@ Result<void> Session::checkHighVoltage(int robot) const {
     return {};
 }
 
-template <class Check, class One>
-void Session::forRobots(CommandId id, RobotMask robots, Check check, One one) {
+void Session::forRobots(CommandId id, RobotMask robots, const std::function<Result<void>(int)>& check,
+                        const std::function<Result<void>(int)>& one) {
     Result<void> answer = checkRunning();
     if (answer && robots == 0) answer = fail(Errc::BadArgument, "robots");
     if (!answer) robots = 0;

@@ -26,17 +26,6 @@ Error noSuchRobot(int robot) {
     return error;
 }
 
-/// What keeps a robot from being at rest; nothing where it is.
-const char* unrestOf(const RobotIntent& intent) {
-    if (intent.run) return "wheels";
-    if (intent.dribbler) return "dribbler";
-    if (intent.charger) return "charger";
-    if (intent.autokick) return "autokick";
-    if (intent.discharging) return "discharge";
-    if (intent.sweeping) return "sweep";
-    return intent.checking ? "check" : nullptr;
-}
-
 }  // namespace
 
 RobotMask Session::aliveRobots() const {
@@ -51,6 +40,7 @@ Result<void> Session::checkAskable(int robot) const {
     if (robot < 0 || robot >= kRobots) return fail(noSuchRobot(robot));
     if (auto running = checkRunning(); !running) return running;
     if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
+    if (flash_.running(robot)) return fail(about(robot, Errc::FlashRunning));
     if (requests_.busy(robot)) return fail(about(robot, Errc::RequestPending));
     return {};
 }
@@ -70,7 +60,7 @@ Result<void> Session::checkApply(const ApplyParameters& command) const {
 Result<void> Session::checkReboot(const RebootRobot& command) const {
     if (auto askable = checkAskable(command.robot); !askable) return askable;
     if (host_.stop.isSet()) return fail(about(command.robot, Errc::StopLatched));
-    if (const char* unrest = unrestOf(driver(command.robot).intent()))
+    if (const char* unrest = driver(command.robot).intent().unrest())
         return fail(about(command.robot, Errc::NotBraked, unrest));
     const RobotState& robot = model_.robot(command.robot);
     if (robot.freshness != Freshness::Current) return fail(about(command.robot, Errc::ReadingsUnknown));

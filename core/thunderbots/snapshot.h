@@ -8,6 +8,7 @@
 #include "core/base/time.h"
 #include "core/link/usb_types.h"
 #include "core/thunderbots/bench_check.h"
+#include "core/thunderbots/flash_progress.h"
 #include "core/thunderbots/kick_record.h"
 #include "core/thunderbots/parameter_state.h"
 #include "core/thunderbots/request_state.h"
@@ -92,6 +93,16 @@ struct RobotIntent {
     bool sweeping = false;
     bool checking = false;  ///< A check is at work on it.
 
+    /// What keeps it from being at rest; null where nothing does.
+    const char* unrest() const {
+        if (run) return "wheels";
+        if (dribbler) return "dribbler";
+        if (charger) return "charger";
+        if (autokick) return "autokick";
+        if (discharging) return "discharge";
+        if (sweeping) return "sweep";
+        return checking ? "check" : nullptr;
+    }
     /// Whether it moves, charges, discharges or sweeps.
     bool busy() const { return run || dribbler || charger || autokick || discharging || sweeping; }
     /// The same, or is armed or being checked.
@@ -126,9 +137,10 @@ struct Snapshot {
     /// The newest kicks of this session, oldest first; never null, immutable.
     std::shared_ptr<const KickRecords> kicks = std::make_shared<const KickRecords>();
     std::array<ChargeRecord, kRobots> charges;
-    std::optional<SweepProgress> sweep;          ///< The one that runs, or the last one that did.
+    std::optional<SweepProgress> sweep;  ///< The one that runs, or the last one that did.
     std::array<ParameterState, kRobots> parameters;
-    std::array<RequestState, kRobots> requests;  ///< What each robot is being asked.
+    std::array<std::optional<FlashProgress>, kRobots> flash;  ///< The robots' last uploads.
+    std::array<RequestState, kRobots> requests;               ///< What each robot is being asked.
     /// The check that runs, or the last one that did; without rows there was none. Never null, immutable.
     std::shared_ptr<const CheckProgress> check = std::make_shared<const CheckProgress>();
     TrafficCounters traffic;

@@ -1,0 +1,143 @@
+// The last part of an upload: from an image that was verified to a robot that runs it.
+
+#include <utility>
+
+#include "core/thunderbots/flash_uploader.h"
+
+namespace kickstand::thunderbots {
+namespace {
+
+using Response = wire::FirmwareResponse;
+
+/// The dongle notices that a robot is gone within a second or two (protocol 5.6).
+constexpr Duration kGoLimit = std::chrono::seconds(15);
+/// Reboot, copy, reboot and being found again take some fifteen (protocol 6.8).
+constexpr Duration kReturnLimit = std::chrono::seconds(60);
+
+}  // namespace
+
+void FlashUploader::activate() {
+    setStage(FlashStage::Activating);
+    // An erase has loaded the parameters afresh: what was read before it may not hold any more.
+    ask(wire::ReadParametersRequest{}, &FlashUploader::freshParametersRead);
+}
+
+void FlashUploader::freshParametersRead(const Response& response) {
+    parameters_ = std::get<wire::ReadParametersResponse>(response).parameters;
+    parameters_.flashContents = static_cast<std::uint8_t>(plan().contents());
+    ask(wire::SetParametersRequest{parameters_}, &FlashUploader::contentsSet);
+}
+
+void FlashUploader::contentsSet(const Response&) {
+    ask(wire::ReadParametersRequest{}, &FlashUploader::contentsReadBack);
+}
+
+void FlashUploader::contentsReadBack(const Response& response) {
+    if (std::get<wire::ReadParametersResponse>(response).parameters != parameters_)
+        return failed({.code = Errc::NotVerified, .subject = "parameters"});
+    change(&FlashUploader::commitContents);
+}
+
+void FlashUploader::commitContents() {
+    if (const auto may = around_.mayChange(robot_); !may) return failed(may.error());
+    progress_.left = FlashLeft::Activated;
+    ask(wire::CommitParametersRequest{}, &FlashUploader::contentsCommitted);
+}
+
+void FlashUploader::contentsCommitted(const Response&) {
+    note(FlashNote::Activated, parameters_.flashContents);
+    change(&FlashUploader::reboot);
+}
+
+void FlashUploader::reboot() {
+    if (const auto may = around_.mayChange(robot_); !may) return failed(may.error());
+    setStage(FlashStage::Rebooting);
+    progress_.left = FlashLeft::Rebooted;
+    away_ = false;
+    note(FlashNote::RebootSent);
+    ask(wire::RebootRequest{}, &FlashUploader::rebooting, &FlashUploader::rebootUnanswered);
+}
+
+void FlashUploader::rebootUnanswered(const Error& error) {
+    progress_.left = FlashLeft::Activated;
+    failed(error);
+}
+
+void FlashUploader::rebooting(const Response&) {
+    // What is in the page buffer does not outlive it.
+    buffer_.reset();
+    awaitLoss();
+}
+
+void FlashUploader::awaitLoss() {
+    progress_.stage = FlashStage::Rebooting;
+    if (!away_) waitFor(kGoLimit, &FlashUploader::neverWent);
+}
+
+void FlashUploader::neverWent() {
+    progress_.left = FlashLeft::Activated;
+    failed({.code = Errc::Unanswered, .subject = wire::name(wire::FirmwareOp::Reboot)});
+}
+
+void FlashUploader::neverCameBack() {
+    failed({.code = Errc::RobotNotAlive});
+}
+
+bool FlashUploader::withTheRobot(Errc why) const {
+    return why == Errc::RobotNotAlive || (why == Errc::Disconnected && around_.onCable());
+}
+
+void FlashUploader::lost(Errc why) {
+    if (!running()) return;
+    if (!expectsLoss() || !withTheRobot(why)) return failed({.code = why});
+    away_ = true;
+    progress_.stage = FlashStage::Rebooting;
+    waitFor(kReturnLimit, &FlashUploader::neverCameBack);
+    around_.changed();
+}
+
+void FlashUploader::found() {
+    if (!expectsLoss() || !away_) return;
+    away_ = false;
+    around_.scheduler.cancel(std::exchange(timer_, 0));
+    note(FlashNote::Back, stage_ms());
+    confirm();
+}
+
+void FlashUploader::confirm() {
+    progress_.stage = FlashStage::Confirming;
+    ask(wire::ReadParametersRequest{}, &FlashUploader::finalContentsRead);
+}
+
+void FlashUploader::finalContentsRead(const Response& response) {
+    const auto contents = std::get<wire::ReadParametersResponse>(response).parameters.flash();
+    const bool copies = plan().target() == image::FlashTarget::Microcontroller;
+    if (copies && contents == wire::FlashContents::Microcontroller) {
+        note(FlashNote::NotYetCopied);
+        return awaitLoss();
+    }
+    const auto expected = copies ? wire::FlashContents::NoData : plan().contents();
+    if (contents != expected) return failed({.code = Errc::NotVerified, .subject = "parameters"});
+    ask(wire::ReadSignaturesRequest{}, &FlashUploader::signaturesRead);
+}
+
+void FlashUploader::signaturesRead(const Response& response) {
+    const auto& read = std::get<wire::ReadSignaturesResponse>(response);
+    note(FlashNote::Signatures, read.microcontrollerCrc, read.flashCrc);
+    const image::ImageSignatures& wanted = plan().signatures();
+    const bool copied = plan().target() == image::FlashTarget::Microcontroller;
+    const bool right =
+        copied ? read.microcontrollerCrc == wanted.microcontroller : read.flashCrc == wanted.flash;
+    if (!right) {
+        Error error{.code = Errc::WrongSignature};
+        error.got = copied ? read.microcontrollerCrc : read.flashCrc;
+        error.highest = copied ? wanted.microcontroller : wanted.flash;
+        return failed(error);
+    }
+    progress_.left = FlashLeft::Complete;
+    if (progress_.image + 1 == plans_.size()) return end(FlashStage::Done, std::nullopt);
+    ++progress_.image;
+    beginImage();
+}
+
+}  // namespace kickstand::thunderbots
