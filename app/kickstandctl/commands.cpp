@@ -9,7 +9,7 @@ std::span<const CommandSpec> commands() {
         std::vector<CommandSpec> all;
         for (const auto family :
              {deviceCommands(), doctorCommands(), stopCommands(), codecCommands(), thunderbotsWatchCommands(),
-              thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(),
+              thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(), thunderbotsCheckCommands(),
               thunderbotsSetupCommands()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
