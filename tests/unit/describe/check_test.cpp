@@ -1,0 +1,105 @@
+// The words and files of bench checks.
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/engine/describe_check.h"
+#include "core/engine/describe_check_report.h"
+
+namespace kickstand {
+namespace {
+
+using namespace thunderbots;
+
+CheckProgress wholeCheck() {
+    CheckProgress progress;
+    progress.plan.robots = maskOf(3);
+    const auto steps = planCheck(progress.plan).value();
+    for (const CheckStep& step : steps)
+        progress.rows.push_back({step, CheckVerdict::Passed, {}, {}, {}});
+    progress.stage = CheckStage::Ended;
+    return progress;
+}
+
+TEST(CheckWords, EveryStepHasItsOwnWordsAndWhatIsSeenItsQuestion) {
+    std::set<QString> texts;
+    for (const CheckRow& row : wholeCheck().rows) {
+        EXPECT_TRUE(texts.insert(describe(row.step)).second) << describe(row.step).toStdString();
+        const bool seen = row.step.kind == CheckKind::Ready || row.step.kind == CheckKind::Wheel ||
+                          row.step.kind == CheckKind::Dribbler || row.step.kind == CheckKind::Lights;
+        EXPECT_EQ(!questionText(row.step).isEmpty(), seen) << describe(row.step).toStdString();
+        EXPECT_FALSE(workText(row, CheckStage::Running).isEmpty());
+    }
+}
+
+TEST(CheckWords, EveryLimitHasALabel) {
+    for (const CheckLimitInfo& info : checkLimitInfos())
+        EXPECT_NE(labelOf(info), QString::fromLatin1(info.name));
+}
+
+TEST(CheckWords, TheSentenceNamesWhatDidNotPass) {
+    CheckProgress progress = wholeCheck();
+    EXPECT_EQ(sentenceOf(progress, 3), QStringLiteral("Robot 3 passed every step."));
+    progress.rows[4].verdict = CheckVerdict::NotSeen;
+    EXPECT_EQ(sentenceOf(progress, 3),
+              QStringLiteral("Robot 3 did not pass: Wheel 2, back left, + (not seen)."));
+    EXPECT_EQ(sentenceOf(progress), QStringLiteral("Robots that passed: 0 of 1."));
+    progress.endedBy = Errc::StopLatched;
+    EXPECT_TRUE(sentenceOf(progress).startsWith(QStringLiteral("The check was ended early: ")));
+}
+
+TEST(CheckLimitsFile, WhatWasSavedIsReadAgain) {
+    CheckLimits limits;
+    limits.leastBattery_V = 14.6;
+    limits.wheelSpeed = 35;
+    const auto read = checkLimitsFromJson(QJsonDocument(toJson(limits)).toJson());
+    ASSERT_TRUE(read) << read.error().toStdString();
+    EXPECT_EQ(*read, limits);
+    EXPECT_EQ(*checkLimitsFromJson("{}"), CheckLimits{});
+}
+
+TEST(CheckLimitsFile, WhatIsWrongIsSaid) {
+    const auto whyNot = [](const char* json) {
+        const auto read = checkLimitsFromJson(json);
+        EXPECT_FALSE(read) << json;
+        return read ? std::string() : read.error().toStdString();
+    };
+    EXPECT_NE(whyNot("").find("no limits"), std::string::npos);
+    EXPECT_NE(whyNot("[1]").find("no limits"), std::string::npos);
+    EXPECT_NE(whyNot(R"({"speed": 1})").find("speed"), std::string::npos);
+    EXPECT_NE(whyNot(R"({"wheel_speed": 101})").find("from 1 to 100"), std::string::npos);
+    EXPECT_NE(whyNot(R"({"wheel_speed": "fast"})").find("wheel_speed"), std::string::npos);
+    EXPECT_NE(whyNot(R"({"wheel_speed": null})").find("wheel_speed"), std::string::npos);
+}
+
+TEST(CheckReport, HasEveryStepWithLimitValueAndVerdict) {
+    CheckProgress progress = wholeCheck();
+    progress.rows[1].value = 15.934;
+    progress.rows[1].limit = 15;
+    progress.rows.back().verdict = CheckVerdict::Failed;
+    progress.rows.back().why = Errc::NotDischarging;
+    const QJsonObject report = checkReport(progress, {});
+    EXPECT_EQ(report[QStringLiteral("began")].toString(), QStringLiteral("1970-01-01T00:00:00.000Z"));
+    const QJsonArray steps = report[QStringLiteral("robots")][0][QStringLiteral("steps")].toArray();
+    ASSERT_EQ(steps.size(), static_cast<qsizetype>(progress.rows.size()));
+    EXPECT_EQ(steps[1][QStringLiteral("value")].toDouble(), 15.934);
+    EXPECT_EQ(steps[1][QStringLiteral("limit")].toDouble(), 15);
+    EXPECT_TRUE(steps[2][QStringLiteral("value")].isNull());
+    EXPECT_EQ(steps.last()[QStringLiteral("reason")].toString(), QStringLiteral("not-discharging"));
+    EXPECT_FALSE(report[QStringLiteral("passed")].toBool(true));
+
+    const QString html = checkReportHtml(progress, {});
+    EXPECT_TRUE(html.contains(QStringLiteral("15.93 V"))) << html.toStdString();
+    EXPECT_TRUE(html.contains(QStringLiteral("at least 15.00 V")));
+    EXPECT_TRUE(html.contains(QStringLiteral("<b>failed</b>: ")));
+    EXPECT_EQ(html.count(QStringLiteral("<tr>")), static_cast<qsizetype>(progress.rows.size()) + 1);
+
+    const QString text = checkReportText(progress, {});
+    EXPECT_EQ(text.count(u'\n'), static_cast<qsizetype>(progress.rows.size()) + 4);
+}
+
+}  // namespace
+}  // namespace kickstand
