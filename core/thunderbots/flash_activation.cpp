@@ -9,8 +9,10 @@ namespace {
 
 using Response = wire::FirmwareResponse;
 
-/// The dongle notices that a robot is gone within a second or two (protocol 5.6).
-constexpr Duration kGoLimit = std::chrono::seconds(15);
+/// By then a robot that was told to reboot has gone, and is not back yet.
+constexpr Duration kGone = std::chrono::seconds(1);
+/// How often a microcontroller that is back is asked whether it has copied its image.
+constexpr Duration kLookAgain = std::chrono::seconds(1);
 /// Reboot, copy, reboot and being found again take some fifteen (protocol 6.8).
 constexpr Duration kReturnLimit = std::chrono::seconds(60);
 
@@ -70,13 +72,24 @@ void FlashUploader::rebooting(const Response&) {
 }
 
 void FlashUploader::awaitLoss() {
-    progress_.stage = FlashStage::Rebooting;
-    if (!away_) waitFor(kGoLimit, &FlashUploader::neverWent);
+    // A robot that is found again at once is never reported as lost: the dongle tells its status every 25 ms
+    // (protocol 3.2). One that is rebooting leaves a request unanswered.
+    unansweredBefore_ = around_.requests.state(robot_).unanswered;
+    if (!away_) waitFor(kGone, &FlashUploader::probe);
 }
 
-void FlashUploader::neverWent() {
-    progress_.left = FlashLeft::Activated;
-    failed({.code = Errc::Unanswered, .subject = wire::name(wire::FirmwareOp::Reboot)});
+void FlashUploader::probe() {
+    ask(wire::ReadParametersRequest{}, &FlashUploader::probeAnswered);
+}
+
+void FlashUploader::probeAnswered(const Response& response) {
+    if (around_.requests.state(robot_).unanswered == unansweredBefore_) {
+        progress_.left = FlashLeft::Activated;
+        return failed({.code = Errc::Unanswered, .subject = wire::name(wire::FirmwareOp::Reboot)});
+    }
+    note(FlashNote::Back, stage_ms());
+    progress_.stage = FlashStage::Confirming;
+    finalContentsRead(response);
 }
 
 void FlashUploader::neverCameBack() {
@@ -90,10 +103,14 @@ bool FlashUploader::withTheRobot(Errc why) const {
 void FlashUploader::lost(Errc why) {
     if (!running()) return;
     if (!expectsLoss() || !withTheRobot(why)) return failed({.code = why});
+    awaitReturn();
+    around_.changed();
+}
+
+void FlashUploader::awaitReturn() {
     away_ = true;
     progress_.stage = FlashStage::Rebooting;
     waitFor(kReturnLimit, &FlashUploader::neverCameBack);
-    around_.changed();
 }
 
 void FlashUploader::found() {
@@ -114,7 +131,8 @@ void FlashUploader::finalContentsRead(const Response& response) {
     const bool copies = plan().target() == image::FlashTarget::Microcontroller;
     if (copies && contents == wire::FlashContents::Microcontroller) {
         note(FlashNote::NotYetCopied);
-        return awaitLoss();
+        if (around_.scheduler.now() - stageAt_ >= kReturnLimit) return neverCameBack();
+        return waitFor(kLookAgain, &FlashUploader::confirm);
     }
     const auto expected = copies ? wire::FlashContents::NoData : plan().contents();
     if (contents != expected) return failed({.code = Errc::NotVerified, .subject = "parameters"});

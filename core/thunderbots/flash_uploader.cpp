@@ -223,8 +223,7 @@ RobotRequests::Done FlashUploader::done(Then then, Otherwise otherwise) {
 
 void FlashUploader::failed(const Error& error) {
     // A microcontroller that takes over its image may show itself before it has done so.
-    const bool wentAgain = progress_.stage == FlashStage::Confirming && withTheRobot(error.code);
-    if (wentAgain) return awaitLoss();
+    if (expectsLoss() && withTheRobot(error.code)) return awaitReturn();
     Error why = error;
     why.robot = robot_;
     end(error.code == Errc::Cancelled ? FlashStage::Cancelled : FlashStage::Failed, std::move(why));

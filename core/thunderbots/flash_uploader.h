@@ -89,7 +89,9 @@ class FlashUploader {
     void awaitLoss();
     /// Whether what was lost is the robot, and not the way to it.
     bool withTheRobot(Errc why) const;
-    void neverWent();
+    void probe();
+    void probeAnswered(const wire::FirmwareResponse& response);
+    void awaitReturn();
     void neverCameBack();
     void confirm();
     void finalContentsRead(const wire::FirmwareResponse& response);
@@ -121,6 +123,7 @@ class FlashUploader {
     std::optional<FlashPage> buffer_;  ///< What the robot's page buffer holds; none: nobody knows.
     int rounds_ = 0;                   ///< How often this image was verified.
     bool away_ = false;                ///< The robot went to reboot.
+    std::uint32_t unansweredBefore_ = 0;
     bool pausing_ = false;
     Step held_ = nullptr;                   ///< What a resume goes on with.
     std::function<Result<void>()> asking_;  ///< Waits until the robot can be asked.
