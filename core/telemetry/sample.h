@@ -41,6 +41,8 @@ struct SampleRange {
     std::uint64_t endIndex = 0;
     TimePoint first{};  ///< The oldest sample's time.
     TimePoint last{};   ///< The newest sample's time.
+    /// How far back something is known, in blocks before `first`; else the same as that.
+    TimePoint coarse{};
 };
 
 /// Why a series has no answer.

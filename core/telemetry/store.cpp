@@ -20,7 +20,7 @@ TimeSeries* TelemetryStore::series(SignalId key) {
         refused_.fetch_add(1, std::memory_order_relaxed);
         return nullptr;
     }
-    slots_[count] = {key, std::make_unique<TimeSeries>(limits_.samples)};
+    slots_[count] = {key, std::make_unique<TimeSeries>(limits_.samples, limits_.pastBlocks)};
     count_.store(count + 1, std::memory_order_release);
     return slots_[count].series.get();
 }

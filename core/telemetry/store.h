@@ -17,6 +17,8 @@ struct TelemetryLimits {
     std::size_t series = 128;
     /// Of each series: eleven minutes of changes at 200 Hz, five hours at the pace of a true radio.
     std::size_t samples = 131'000;
+    /// Of each series, of what was before: four and a half hours and more at any pace.
+    std::size_t pastBlocks = 16'000;
     std::size_t marks = 8'000;
 };
 

@@ -14,10 +14,30 @@ TimeSeries::Read<T> orOverrun(std::optional<TimeSeries::Read<T>> result) {
     return *std::move(result);
 }
 
+/// One column out of its two halves.
+Column joined(const Column& older, const Column& newer) {
+    Extremes held = Extremes::none();
+    held.add(Extremes{older.min, older.max});
+    held.add(Extremes{newer.min, newer.max});
+    Column result = newer;
+    result.first = older.first;
+    result.count += older.count;
+    if (!held.empty()) {
+        result.min = held.min;
+        result.max = held.max;
+    }
+    return result;
+}
+
+// A block that is still growing is never older than the ring.
+constexpr std::size_t kBlocksOfRing = 4;
+
 }  // namespace
 
-TimeSeries::TimeSeries(std::size_t capacity)
-    : index_(capacity), times_(index_.cells()), values_(index_.cells()), areas_(index_.cells()) {}
+TimeSeries::TimeSeries(std::size_t capacity, std::size_t pastBlocks)
+    : index_(capacity), times_(index_.cells()), values_(index_.cells()), areas_(index_.cells()) {
+    if (pastBlocks > 0) past_.emplace(pastBlocks, capacity / kBlocksOfRing);
+}
 
 bool TimeSeries::append(TimePoint time, float value) {
     if (!std::isfinite(value)) value = kNoValue;
@@ -34,6 +54,7 @@ bool TimeSeries::append(TimePoint time, float value) {
     times_.store(index, time.time_since_epoch().count());
     values_.append(index, value);
     areas_.append(index, areaSoFar_);
+    if (past_) past_->append(index, holding_, areaSoFar_);
     index_.publish();
     return true;
 }
@@ -104,18 +125,31 @@ Area TimeSeries::area(RingWindow window, std::uint64_t first, std::uint64_t end,
     return result;
 }
 
+TimePoint TimeSeries::forgottenUntil(RingWindow window) const {
+    return past_ && window.first > 0 ? timeAt(window.first) : TimePoint::min();
+}
+
 TimeSeries::Read<SampleRange> TimeSeries::available() const {
     return orOverrun(index_.consistently([&](RingWindow window) -> Read<SampleRange> {
         if (window.first == window.end) return tl::unexpected(Miss::NoValue);
-        return SampleRange{window.first, window.end, timeAt(window.first), timeAt(window.end - 1)};
+        const TimePoint first = timeAt(window.first);
+        const auto coarse = past_ ? past_->begin() : std::nullopt;
+        return SampleRange{window.first, window.end, first, timeAt(window.end - 1),
+                           coarse ? std::min(first, *coarse) : first};
     }));
 }
 
 TimeSeries::Read<Sample> TimeSeries::at(TimePoint time) const {
     return orOverrun(index_.consistently([&](RingWindow window) -> Read<Sample> {
         const std::uint64_t next = firstAfter(time, window);
-        if (next == window.first) return tl::unexpected(Miss::NoValue);
-        const Sample sample = sampleAt(next - 1);
+        Sample sample;
+        if (time < forgottenUntil(window)) {
+            const auto past = past_->at(time);
+            if (!past) return tl::unexpected(Miss::Overrun);
+            sample = *past;
+        } else if (next > window.first) {
+            sample = sampleAt(next - 1);
+        }
         if (std::isnan(sample.value)) return tl::unexpected(Miss::NoValue);
         return sample;
     }));
@@ -137,13 +171,29 @@ TimeSeries::Read<Sample> TimeSeries::nearest(TimePoint time) const {
 TimeSeries::Read<void> TimeSeries::columns(TimePoint start, Duration width, std::span<Column> out) const {
     width = std::max(width, Duration(1));
     return orOverrun(index_.consistently([&](RingWindow window) -> Read<void> {
+        const TimePoint forgotten = forgottenUntil(window);
+        std::span<Column> rest = out;
         TimePoint left = start;
+        if (left < forgotten) {
+            const auto whole = std::min<std::uint64_t>((forgotten - left) / width, out.size());
+            std::fill_n(out.begin(), whole, Column{});
+            if (!past_->columns(left, width, forgotten, out.first(whole)))
+                return tl::unexpected(Miss::Overrun);
+            rest = out.subspan(whole);
+            left += width * static_cast<std::int64_t>(whole);
+        }
         std::uint64_t first = firstAtOrAfter(left, window.first, window.end, window.end);
         std::uint64_t guess = first;
-        for (Column& filled : out) {
+        for (Column& filled : rest) {
             const TimePoint right = left + width;
             const std::uint64_t end = firstAtOrAfter(right, first, window.end, guess);
             filled = column(window, first, end, left);
+            if (left < forgotten) {
+                Column older;
+                if (!past_->columns(left, width, forgotten, {&older, 1}))
+                    return tl::unexpected(Miss::Overrun);
+                filled = joined(older, filled);
+            }
             // Most columns hold about as many samples as the one before.
             guess = end + (end - first);
             left = right;
@@ -156,10 +206,21 @@ TimeSeries::Read<void> TimeSeries::columns(TimePoint start, Duration width, std:
 TimeSeries::Read<SpanStats> TimeSeries::stats(TimePoint from, TimePoint to) const {
     if (to <= from) return tl::unexpected(Miss::NoValue);
     return orOverrun(index_.consistently([&](RingWindow window) -> Read<SpanStats> {
-        const std::uint64_t first = firstAtOrAfter(from, window.first, window.end, window.end);
-        const std::uint64_t end = firstAtOrAfter(to, first, window.end, window.end);
-        const Column all = column(window, first, end, from);
-        const Area sum = area(window, first, end, from, to);
+        const TimePoint fine = std::clamp(forgottenUntil(window), from, to);
+        Column all;
+        Area sum;
+        if (from < fine) {
+            const auto area = past_->area(from, fine);
+            if (!area || !past_->columns(from, fine - from, fine, {&all, 1}))
+                return tl::unexpected(Miss::Overrun);
+            sum = *area;
+        }
+        if (fine < to) {
+            const std::uint64_t first = firstAtOrAfter(fine, window.first, window.end, window.end);
+            const std::uint64_t end = firstAtOrAfter(to, first, window.end, window.end);
+            all = joined(all, column(window, first, end, fine));
+            sum = sum + area(window, first, end, fine, to);
+        }
         if (std::isnan(all.min) || sum.held <= Duration::zero()) return tl::unexpected(Miss::NoValue);
         // The running sums round: a mean never leaves the values that it is the mean of.
         const double mean = std::clamp(sum.value_s / seconds(sum.held), static_cast<double>(all.min),

@@ -3,11 +3,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <tl/expected.hpp>
 
 #include "core/telemetry/area_sums.h"
+#include "core/telemetry/past_blocks.h"
 #include "core/telemetry/ring_index.h"
 #include "core/telemetry/sample.h"
 #include "core/telemetry/value_pyramid.h"
@@ -20,15 +22,16 @@ namespace kickstand {
 ///
 /// Bounded: the last capacity() samples are kept, in memory that is reserved once and taken as it fills (some
 /// 13.4 bytes a cell; there are capacity() + 64 cells, rounded up to a power of two, so that 131,000 is
-/// thrifty and 131,072 is not). One thread writes. Any others read at the same time, in place and without
-/// locks; no answer mixes samples with those that overwrote them.
+/// thrifty and 131,072 is not). What is older is known in blocks of a second (PastBlocks), where there is
+/// room for them: columns, statistics and single values reach back into them. One thread writes. Any others
+/// read at the same time, in place and without locks; no answer mixes samples with those that overwrote them.
 class TimeSeries {
   public:
     template <class T>
     using Read = tl::expected<T, Miss>;
 
-    /// Keeps the last `capacity` samples.
-    explicit TimeSeries(std::size_t capacity);
+    /// Keeps the last `capacity` samples, and `pastBlocks` blocks of what was before.
+    explicit TimeSeries(std::size_t capacity, std::size_t pastBlocks = 0);
 
     /// The value from `time` on. Kept only when it is not what holds already: true when it was kept. A value
     /// that is not finite begins a gap. A time before the last one is taken as the last one, and counted.
@@ -45,7 +48,9 @@ class TimeSeries {
     std::uint64_t outOfOrder() const { return outOfOrder_.load(std::memory_order_relaxed); }
     std::size_t capacity() const { return index_.capacity(); }
     /// Bytes reserved, which are all taken once the ring is full. Any thread.
-    std::size_t bytes() const { return times_.bytes() + values_.bytes() + areas_.bytes(); }
+    std::size_t bytes() const {
+        return times_.bytes() + values_.bytes() + areas_.bytes() + (past_ ? past_->bytes() : 0);
+    }
 
     /// What there is to read; NoValue while it is empty. Any thread.
     Read<SampleRange> available() const;
@@ -74,12 +79,15 @@ class TimeSeries {
     Sample nearestOf(std::uint64_t first, std::uint64_t end, TimePoint time) const;
     Column column(RingWindow window, std::uint64_t first, std::uint64_t end, TimePoint start) const;
     Area areaBetween(std::uint64_t first, std::uint64_t last) const;
+    /// Up to when the blocks have to be asked: TimePoint::min() where every sample is still there.
+    TimePoint forgottenUntil(RingWindow window) const;
     Area area(RingWindow window, std::uint64_t first, std::uint64_t end, TimePoint from, TimePoint to) const;
 
     RingIndex index_;
     RingCells<std::int64_t> times_;
     ValuePyramid values_;
     AreaSums areas_;
+    std::optional<PastBlocks> past_;
     std::atomic<std::uint64_t> outOfOrder_{0};
 
     // The writer's own: what holds now, and the area up to its beginning.

@@ -113,7 +113,7 @@ void TimePlot::showOldest() {
     for (const PlotCurve& curve : state_->curves) {
         const TimeSeries* series = state_->seriesOf(curve);
         const auto range = series == nullptr ? tl::unexpected(Miss::NoValue) : series->available();
-        if (range && (!oldest || range->first < *oldest)) oldest = range->first;
+        if (range && (!oldest || range->coarse < *oldest)) oldest = range->coarse;
     }
     if (!oldest) return;
     state_->view.showFrom(*oldest);

@@ -15,6 +15,7 @@ namespace kickstand {
 namespace {
 
 constexpr std::size_t kCapacity = 3000;
+constexpr std::size_t kPastBlocks = 200;
 constexpr std::int64_t kStep_ns = 1000;
 constexpr std::uint64_t kLaps = 10;
 /// Bounds a run on which readers never get an answer; far more than they need.
@@ -82,6 +83,30 @@ bool statsAreRight(const TimeSeries& series, bool& wrong) {
     return true;
 }
 
+bool pastIsRight(const TimeSeries& series, bool& wrong) {
+    constexpr std::uint64_t kPerColumn = 1000;
+    constexpr std::uint64_t kBack = 15'000;
+    const auto range = series.available();
+    if (!range || range->endIndex < 2 * kBack) return false;
+    std::array<Column, 5> columns;
+    const std::uint64_t first = range->endIndex - kBack;
+    if (!series.columns(timeOf(first), Duration(kPerColumn * kStep_ns), columns)) return false;
+    // The writer may have gone on so far that the blocks were forgotten too.
+    if (series.available()->coarse > timeOf(first - kPerColumn)) return false;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        Extremes least = Extremes::none();
+        Extremes most = Extremes::none();
+        const std::uint64_t begin = first + i * kPerColumn;
+        for (std::uint64_t k = begin - kPerColumn; k < begin + 2 * kPerColumn; ++k) {
+            most.add(valueOf(k));
+            if (k >= begin && k < begin + kPerColumn) least.add(valueOf(k));
+        }
+        wrong |= columns[i].min > least.min || columns[i].max < least.max || columns[i].min < most.min ||
+                 columns[i].max > most.max;
+    }
+    return true;
+}
+
 bool lookUpIsRight(const TimeSeries& series, bool& wrong) {
     const auto range = series.available();
     if (!range) return false;
@@ -94,10 +119,10 @@ bool lookUpIsRight(const TimeSeries& series, bool& wrong) {
 }
 
 TEST(TelemetryThreads, ReadersOfARingInFullUseGetRightAnswersOrNone) {
-    TimeSeries series(kCapacity);
-    std::atomic<int> readersLeft{3};
-    std::array<bool, 3> wrong{};
-    std::array<int, 3> count{};
+    TimeSeries series(kCapacity, kPastBlocks);
+    std::atomic<int> readersLeft{4};
+    std::array<bool, 4> wrong{};
+    std::array<int, 4> count{};
     std::vector<std::thread> readers;
     readers.emplace_back(
         [&] { count[0] = answers(series, readersLeft, [&] { return columnsAreRight(series, wrong[0]); }); });
@@ -105,6 +130,8 @@ TEST(TelemetryThreads, ReadersOfARingInFullUseGetRightAnswersOrNone) {
         [&] { count[1] = answers(series, readersLeft, [&] { return statsAreRight(series, wrong[1]); }); });
     readers.emplace_back(
         [&] { count[2] = answers(series, readersLeft, [&] { return lookUpIsRight(series, wrong[2]); }); });
+    readers.emplace_back(
+        [&] { count[3] = answers(series, readersLeft, [&] { return pastIsRight(series, wrong[3]); }); });
     writeUntil(series, readersLeft);
     for (std::thread& reader : readers)
         reader.join();
