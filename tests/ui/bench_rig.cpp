@@ -7,6 +7,7 @@
 #include <QTest>
 #include <chrono>
 
+#include "ui/shell/workbench.h"
 #include "ui/widgets/set_point_slider.h"
 #include "ui/widgets/signed_spin_box.h"
 
@@ -52,6 +53,7 @@ BenchRig::BenchRig()
     window_ = std::make_unique<ui::MainWindow>(*bench_, *theme_);
     window_->resize(1280, 800);
     window_->show();
+    window_->workbench().makePanels();
     QApplication::setActiveWindow(window_.get());
 }
 
