@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <utility>
 
 #include "ui/shell/panel.h"
 #include "ui/widgets/tokens.h"
@@ -25,33 +26,42 @@ class PanelHeader final : public QWidget {
 
 }  // namespace
 
-PanelDock::PanelDock(const QString& id, const QString& title, const QString& helpPage, Panel* panel,
-                     QWidget* parent)
-    : QDockWidget(title, parent), panel_(panel), helpPage_(helpPage) {
+PanelDock::PanelDock(const QString& id, const QString& title, const QString& helpPage,
+                     std::function<Panel*()> make, QWidget* parent)
+    : QDockWidget(title, parent), make_(std::move(make)), helpPage_(helpPage) {
     setObjectName(id);
     setAccessibleName(title);
     auto* header = new PanelHeader(this);
-    auto* row = new QHBoxLayout(header);
-    row->setContentsMargins(metrics::kPadding, 1, metrics::kGap, 1);
-    row->setSpacing(metrics::kGap);
+    headerRow_ = new QHBoxLayout(header);
+    headerRow_->setContentsMargins(metrics::kPadding, 1, metrics::kGap, 1);
+    headerRow_->setSpacing(metrics::kGap);
     auto* name = new QLabel(title, header);
     name->setFont(textFont(kHeaderFontSize, QFont::DemiBold));
-    auto* note = new QLabel(panel->note(), header);
+    headerRow_->addWidget(name);
+    headerRow_->addStretch(1);
+    setTitleBarWidget(header);
+}
+
+Panel* PanelDock::panel() {
+    if (panel_ == nullptr) makePanel();
+    return panel_;
+}
+
+void PanelDock::makePanel() {
+    panel_ = make_();
+    if (QWidget* tools = panel_->headerTools()) headerRow_->addWidget(tools);
+    auto* note = new QLabel(panel_->note(), titleBarWidget());
     note->setObjectName(QStringLiteral("note"));
     note->setFont(numberFont(kHeaderFontSize));
     note->setForegroundRole(QPalette::PlaceholderText);
     note->setContentsMargins(0, 0, metrics::kGap / 2, 0);
-    row->addWidget(name);
-    row->addStretch(1);
-    if (QWidget* tools = panel->headerTools()) row->addWidget(tools);
-    row->addWidget(note);
-    note->setVisible(!panel->note().isEmpty());
-    connect(panel, &Panel::noteChanged, note, [note](const QString& text) {
+    headerRow_->addWidget(note);
+    note->setVisible(!panel_->note().isEmpty());
+    connect(panel_, &Panel::noteChanged, note, [note](const QString& text) {
         note->setText(text);
         note->setVisible(!text.isEmpty());
     });
-    setTitleBarWidget(header);
-    setWidget(panel);
+    setWidget(panel_);
 }
 
 void PanelDock::paintEvent(QPaintEvent*) {
@@ -67,7 +77,7 @@ void PanelDock::paintEvent(QPaintEvent*) {
 }
 
 void PanelDock::closeEvent(QCloseEvent* event) {
-    panel_->closed();
+    if (panel_ != nullptr) panel_->closed();
     QDockWidget::closeEvent(event);
 }
 

@@ -2,7 +2,9 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QLayout>
 #include <QSettings>
+#include <QTimer>
 #include <initializer_list>
 #include <utility>
 
@@ -69,7 +71,12 @@ void Workbench::followSession() {
 }
 
 void Workbench::addPanel(const PanelEntry& entry) {
-    docks_.push_back(new PanelDock(entry.id, entry.title, entry.helpPage, entry.make(bench_), this));
+    auto* dock = new PanelDock(
+        entry.id, entry.title, entry.helpPage, [this, make = entry.make] { return make(bench_); }, this);
+    connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
+        if (visible && shown_) dock->panel();
+    });
+    docks_.push_back(dock);
     places_.push_back(entry.place);
 }
 
@@ -143,11 +150,37 @@ void Workbench::sizePanels() {
 
 void Workbench::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
+    if (std::exchange(shown_, true)) return;
+    makeFrontPanels();
     // Only now is there a size to share out.
     if (!std::exchange(sized_, true)) {
         sizePanels();
         raiseFirst();
     }
+    QTimer::singleShot(0, this, &Workbench::makeNextPanel);
+}
+
+void Workbench::makeFrontPanels() {
+    if (!sized_) raiseFirst();
+    layout()->activate();
+    for (PanelDock* dock : docks_) {
+        // A dock whose tab is not the front one stands out of sight to the left.
+        if (!dock->isHidden() && dock->geometry().right() >= 0) dock->panel();
+    }
+}
+
+void Workbench::makeNextPanel() {
+    for (PanelDock* dock : docks_) {
+        if (dock->isMade()) continue;
+        dock->panel();
+        QTimer::singleShot(0, this, &Workbench::makeNextPanel);
+        return;
+    }
+}
+
+void Workbench::makePanels() {
+    for (PanelDock* dock : docks_)
+        dock->panel();
 }
 
 PanelDock* Workbench::focusedDock() const {

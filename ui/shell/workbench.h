@@ -22,6 +22,9 @@ class Workbench final : public QMainWindow {
     void saveLayout() const;
     /// As on the first day.
     void resetLayout();
+    /// Makes the panels that nobody has looked at yet; otherwise that is done little by little after the
+    /// window is there.
+    void makePanels();
 
   protected:
     QMenu* createPopupMenu() override { return nullptr; }
@@ -35,6 +38,8 @@ class Workbench final : public QMainWindow {
     void raiseFirst();
     void go(const QString& panel, const QString& detail);
     void followSession();
+    void makeFrontPanels();
+    void makeNextPanel();
     QList<QDockWidget*> docksAt(PanelPlace place) const;
 
     Bench& bench_;
@@ -42,6 +47,7 @@ class Workbench final : public QMainWindow {
     std::vector<PanelPlace> places_;  ///< Of each dock.
     PanelDock* simulated_ = nullptr;  ///< There only for simulated links.
     bool sized_ = false;              ///< Sizes are those that a person left.
+    bool shown_ = false;              ///< The window has been there.
 };
 
 }  // namespace kickstand::ui
