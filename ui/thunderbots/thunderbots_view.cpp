@@ -6,6 +6,7 @@
 #include "core/engine/describe.h"
 #include "core/thunderbots/wire/readings.h"
 #include "ui/gamepad/sdl_pads.h"
+#include "ui/thunderbots/checks_panel.h"
 #include "ui/thunderbots/drive_control.h"
 #include "ui/thunderbots/drive_pad.h"
 #include "ui/thunderbots/drive_pad_panel.h"
@@ -101,6 +102,8 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice](Bench& bench) -> Panel* { return new VoltagesPanel(bench, choice); }},
         {QStringLiteral("kicks"), Words::tr("Kicks"), help("kick"), PanelPlace::Below,
          [&choice, &kick](Bench& bench) -> Panel* { return new KickLogPanel(bench, choice, kick); }},
+        {QStringLiteral("checks"), Words::tr("Checks"), help("checks"), PanelPlace::Work,
+         [&choice](Bench& bench) -> Panel* { return new ChecksPanel(bench, choice); }},
         {QStringLiteral("leds"), Words::tr("Test LEDs"), help("test-leds"), PanelPlace::Aside,
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
         {QStringLiteral("experiment"), Words::tr("Experiment data"), help("experiment-data"),
