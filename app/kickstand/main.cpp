@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QIcon>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <chrono>
@@ -20,10 +21,12 @@
 #include "ui/shell/first_paint.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/signal_watch.h"
+#include "ui/shell/single_instance.h"
 #include "ui/shell/stop_filter.h"
 #include "ui/shell/suspend_watch.h"
 #include "ui/shell/system_view.h"
 #include "ui/shell/theme.h"
+#include "ui/shell/translations.h"
 #include "ui/thunderbots/thunderbots_view.h"
 
 namespace {
@@ -67,6 +70,19 @@ void chooseScreen(int argc, char** argv) {
 #endif
 }
 
+/// A folder of this user alone, gone with the session where the system has one.
+QString instanceFolder() {
+    const QString runtime = QStandardPaths::writableLocation(QStandardPaths::RuntimeLocation);
+    return runtime.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)
+                             : runtime;
+}
+
+int leaveToOther(const kickstand::app::Options& options) {
+    std::fputs("kickstand: a window is open already and was asked to show itself.", stderr);
+    std::fputs(options.links.empty() ? "\n" : " Connect there, or start with --new-instance.\n", stderr);
+    return options.links.empty() ? 0 : 1;
+}
+
 void announcePainted() {
     std::puts("painted");
     std::fflush(stdout);
@@ -85,8 +101,12 @@ int main(int argc, char** argv) {
     }
     chooseScreen(argc, argv);
     QApplication application(argc, argv);
+    ui::installTranslations();
     QApplication::setApplicationDisplayName(QStringLiteral("Kickstand"));
     const app::Options options = app::readOptions(QApplication::arguments());
+
+    ui::SingleInstance instance(instanceFolder());
+    if (!options.newInstance && !instance.claim()) return leaveToOther(options);
 
     // A tour neither reads nor changes what is remembered of this person.
     const QTemporaryDir scratch;
@@ -109,6 +129,7 @@ int main(int argc, char** argv) {
                      [&client] { client.stop(StopReason::Person); });
 
     ui::MainWindow window(bench, theme);
+    QObject::connect(&instance, &ui::SingleInstance::showAsked, &window, &ui::MainWindow::bringForward);
     ui::SignalWatch signalWatch;
     QObject::connect(&signalWatch, &ui::SignalWatch::quitAsked, &window, &ui::MainWindow::closeNow);
     std::unique_ptr<app::Tour> tour;

@@ -53,7 +53,10 @@ Options readOptions(const QStringList& arguments) {
                   "the start."));
     const QCommandLineOption theme(QStringLiteral("theme"), Words::tr("system, light or dark, for this run."),
                                    QStringLiteral("THEME"));
-    parser.addOptions({link, tour, theme, announce});
+    const QCommandLineOption newInstance(
+        QStringLiteral("new-instance"),
+        Words::tr("Open another window although one is open. Two windows can drive the same robots."));
+    parser.addOptions({link, tour, theme, newInstance, announce});
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     if (!parser.parse(arguments)) refuse(Words::tr("%1. Try --help.").arg(parser.errorText().chopped(1)));
@@ -79,6 +82,8 @@ Options readOptions(const QStringList& arguments) {
         refuse(Words::tr("--tour drives simulated robots alone: leave --link out."));
     }
     options.announce = parser.isSet(announce);
+    // A tour and a measurement look at themselves alone.
+    options.newInstance = parser.isSet(newInstance) || options.announce || parser.isSet(tour);
     if (parser.isSet(tour)) options.tourFolder = parser.value(tour);
     return options;
 }

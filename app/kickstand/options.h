@@ -14,6 +14,7 @@ struct Options {
     std::vector<LinkUri> links;
     std::optional<QString> tourFolder;
     std::optional<ui::ThemeChoice> theme;
+    bool newInstance = false;  ///< Beside a window that is open already.
     bool announce = false;  ///< Tell on standard output how far the start has come.
 };
 

@@ -76,6 +76,11 @@ void addSmallSteps(TourMaker& tour) {
     addBusyRobots(tour);
     tour.show("small-busy", tour.goTo("drive"));
     tour.show("small-gamepad", tour.goTo("gamepad"));
+    tour.show("small-checks", tour.goTo("checks"));
+    tour.add("small-kick-panel", tour.goTo("kick"));
+    tour.show("small-kick", tour.goTo("kicks"));
+    tour.show("small-experiment", tour.goTo("experiment"));
+    tour.add("small-voltages", tour.goTo("voltages"));
     tour.add("small-drive", tour.goTo("drive"));
     tour.show("small-lost", tour.simulate("dead", 5, 1), [bench] {
         const Snapshot* snapshot = ui::snapshotOf(bench->session());

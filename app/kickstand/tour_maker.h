@@ -58,6 +58,8 @@ class TourMaker {
 void addLookingSteps(TourMaker& tour);
 /// A kick and what it did, a sweep, autokick: with the robot charged and a ball in its beam.
 void addKickingSteps(TourMaker& tour);
+/// A bench check of robot 6, with its questions, to the report.
+void addCheckSteps(TourMaker& tour);
 /// The body's motion, keys, the gamepad: robot 3 is chosen.
 void addDrivingSteps(TourMaker& tour);
 /// The smallest window that holds everything, with all sixteen tiles up to something, stopped, and with a

@@ -31,6 +31,7 @@ class Steps final : public TourMaker {
         addKickingSteps(*this);
         addVoltagesSteps(*this);
         addLookingSteps(*this);
+        addCheckSteps(*this);
         stopping();
         losing();
         addSmallSteps(*this);

@@ -73,9 +73,7 @@ QString lightsQuestion(const wire::TestMode& mode) {
 
 QString wheelQuestion(const CheckStep& step) {
     const QString way = step.forward ? Check::tr("counter-clockwise") : Check::tr("clockwise");
-    return Check::tr(
-               "Did %1 turn smoothly, the way that turns the robot %2 as seen from above, and did the "
-               "four LEDs count?")
+    return Check::tr("Did %1, turn smoothly the way that takes the robot %2, and did the four LEDs count?")
         .arg(wheelText(step.wheel), way);
 }
 
@@ -171,10 +169,9 @@ QString describe(CheckVerdict verdict) {
 QString questionText(const CheckStep& step) {
     switch (step.kind) {
         case CheckKind::Ready:
-            return Check::tr(
-                       "Does robot %1 stand on its stand, wheels and dribbler free, nobody's hand near, "
-                       "no ball at the kicker?")
-                .arg(step.robot);
+            return Check::
+                tr("Does robot %1 stand on its stand, its wheels free, no hand near, no ball at its kicker?")
+                    .arg(step.robot);
         case CheckKind::Wheel:
             return wheelQuestion(step);
         case CheckKind::Dribbler:

@@ -82,7 +82,7 @@ TEST_F(KickPanelTest, TheReasonStandsOnTheDisabledButtonAndInTheLine) {
 TEST_F(KickPanelTest, AKickIsForOneRobotAndAutokickForAllThatAreChosen) {
     rig.clickRobot(1);
     rig.clickRobot(2, Qt::ControlModifier);
-    press("arm");
+    press("kickArm");
     ASSERT_TRUE(rig.waitForSnapshot([](const Snapshot& snapshot) {
         return snapshot.intents[1].highVoltageArmed && snapshot.intents[2].highVoltageArmed;
     }));
@@ -127,12 +127,12 @@ TEST_F(KickPanelTest, AllZeroAutokickCannotBeArmed) {
 
 TEST_F(KickPanelTest, ChargerAndDischargeAreHereTooWithTheirState) {
     arm();
-    press("charger");
+    press("kickCharger");
     ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block.charge; }));
     ASSERT_TRUE(waitUntil([this] { return line("chargeState").contains(QStringLiteral("charging for")); }));
     ASSERT_TRUE(waitUntil([this] { return line("chargeState").contains(QStringLiteral("took")); }))
         << line("chargeState").toStdString();
-    press("discharge");
+    press("kickDischarge");
     ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return !block.charge; }));
     ASSERT_TRUE(waitUntil([this] { return !rig.wire().kickBytes().empty(); }));
     EXPECT_EQ(rig.wire().kickBytes().front(), (Bytes{0x83, 0x80, 0x00})) << "96 µs";

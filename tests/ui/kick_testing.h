@@ -48,7 +48,7 @@ class KickBench : public BenchTest {
     /// Chooses the robot and arms its high voltage.
     void arm(int robot = 3) {
         rig.clickRobot(robot);
-        press("arm");
+        press("kickArm");
         ASSERT_TRUE(rig.waitForSnapshot([robot](const thunderbots::Snapshot& snapshot) {
             return snapshot.intents[static_cast<std::size_t>(robot)].highVoltageArmed;
         }));
@@ -56,7 +56,7 @@ class KickBench : public BenchTest {
     void armAndCharge(int robot = 3) {
         rig.simulate("capacitor", robot, 219);
         arm(robot);
-        press("charger");
+        press("kickCharger");
         ASSERT_TRUE(rig.waitForSnapshot([robot](const thunderbots::Snapshot& snapshot) {
             return snapshot.robots[static_cast<std::size_t>(robot)].readings.charged;
         }));

@@ -1,13 +1,23 @@
 // The window at the sizes it is made for: everything there, nothing cut, everything with a name.
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QFile>
+#include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
+#include <QTabBar>
+#include <map>
 
+#include "core/link/link_uri.h"
 #include "tests/ui/bench_rig.h"
+#include "ui/shell/panel_dock.h"
+#include "ui/shell/workbench.h"
 #include "ui/thunderbots/robot_tile.h"
 #include "ui/thunderbots/tile_layout.h"
 
@@ -62,17 +72,114 @@ TEST_F(LayoutTest, NoButtonOrSingleLineIsCut) {
     }
 }
 
-TEST_F(LayoutTest, EveryControlHasAnAccessibleNameOrText) {
-    for (const auto* widget : rig.window().findChildren<QWidget*>()) {
-        const auto* button = qobject_cast<const QAbstractButton*>(widget);
-        const bool control = button != nullptr || qobject_cast<const QAbstractSlider*>(widget) != nullptr ||
-                             qobject_cast<const QComboBox*>(widget) != nullptr ||
-                             qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
-        if (!control || !widget->isVisible() || widget->focusPolicy() == Qt::NoFocus) continue;
-        if (button != nullptr && !button->text().isEmpty()) continue;
-        EXPECT_FALSE(widget->accessibleName().isEmpty())
-            << widget->metaObject()->className() << " " << widget->objectName().toStdString();
+/// Something that a person operates.
+bool isControl(const QWidget* widget) {
+    // The parts that such a thing is made of are its own affair.
+    const QWidget* parent = widget->parentWidget();
+    if (widget->objectName().startsWith(QStringLiteral("qt_")) ||
+        qobject_cast<const QScrollBar*>(widget) != nullptr ||
+        qobject_cast<const QHeaderView*>(widget) != nullptr ||
+        qobject_cast<const QTabBar*>(parent) != nullptr ||
+        qobject_cast<const QComboBox*>(parent) != nullptr ||
+        qobject_cast<const QAbstractItemView*>(parent) != nullptr)
+        return false;
+    return qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+           qobject_cast<const QAbstractSlider*>(widget) != nullptr ||
+           qobject_cast<const QComboBox*>(widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+           qobject_cast<const QLineEdit*>(widget) != nullptr ||
+           qobject_cast<const QAbstractItemView*>(widget) != nullptr;
+}
+
+bool isNamed(const QWidget* widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    return !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty());
+}
+
+/// Whether the Tab key comes to it, or the arrow keys do from one of its group.
+bool isReachedByKeys(const QWidget* widget) {
+    if ((widget->focusPolicy() & Qt::TabFocus) != 0) return true;
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    return button != nullptr && button->group() != nullptr;
+}
+
+TEST_F(LayoutTest, EveryControlOfEveryPanelHasANameAndIsReachedByKeys) {
+    int controls = 0;
+    for (const ui::PanelDock* dock : rig.window().workbench().docks()) {
+        rig.bench().goTo(dock->objectName());
+        ASSERT_TRUE(waitUntil([dock] { return dock->isVisible() && !dock->visibleRegion().isEmpty(); }));
+        for (const QWidget* widget : dock->findChildren<QWidget*>()) {
+            if (!isControl(widget) || !widget->isVisibleTo(dock)) continue;
+            ++controls;
+            const std::string who = dock->objectName().toStdString() + ": " +
+                                    widget->metaObject()->className() + ' ' +
+                                    widget->objectName().toStdString();
+            EXPECT_TRUE(isNamed(widget)) << who << " has neither text nor accessible name";
+            EXPECT_TRUE(isReachedByKeys(widget)) << who << " is not reached by the Tab key";
+        }
     }
+    EXPECT_GT(controls, 100);
+}
+
+TEST_F(LayoutTest, NoTwoControlsOfTheWindowHaveTheSameName) {
+    std::map<QString, int> names;
+    for (const QWidget* widget : rig.window().findChildren<QWidget*>()) {
+        if (isControl(widget) && !widget->objectName().isEmpty()) ++names[widget->objectName()];
+    }
+    for (const auto& [name, count] : names)
+        EXPECT_EQ(count, 1) << name.toStdString();
+}
+
+/// As forges make a heading's anchor.
+QString anchorOf(const QString& heading) {
+    QString anchor;
+    for (const QChar c : heading.toLower()) {
+        if (c.isLetterOrNumber()) anchor += c;
+        if (c.isSpace() || c == u'-') anchor += u'-';
+    }
+    return anchor;
+}
+
+TEST_F(LayoutTest, EveryPanelHasItsOwnSectionOfTheHelp) {
+    for (const ui::PanelDock* dock : rig.window().workbench().docks()) {
+        const QStringList place = dock->helpPage().split(u'#');
+        ASSERT_EQ(place.size(), 2) << dock->objectName().toStdString() << ": no section";
+        QFile page(QStringLiteral(KICKSTAND_SOURCE_DIR "/resources/help/%1").arg(place[0]));
+        ASSERT_TRUE(page.open(QIODevice::ReadOnly)) << place[0].toStdString();
+        bool found = false;
+        while (!page.atEnd()) {
+            const QString line = QString::fromUtf8(page.readLine()).trimmed();
+            const qsizetype level = line.indexOf(u' ');
+            if (!line.startsWith(u'#') || level < 0) continue;
+            found = found || anchorOf(line.mid(level + 1)) == place[1];
+        }
+        EXPECT_TRUE(found) << dock->objectName().toStdString() << ": " << dock->helpPage().toStdString();
+    }
+}
+
+TEST_F(LayoutTest, TheNextWindowStandsAsThisOneDid) {
+    ASSERT_TRUE(resizeTo({1360, 840}));
+    rig.find<ui::PanelDock>(QStringLiteral("faults"))->close();
+    rig.find<ui::PanelDock>(QStringLiteral("leds"))->setFloating(true);
+    rig.window().close();
+    ui::MainWindow next(rig.bench(), rig.theme());
+    next.show();
+    const auto dock = [&next](const char* id) { return next.findChild<ui::PanelDock*>(QLatin1String(id)); };
+    EXPECT_EQ(next.size(), QSize(1360, 840));
+    EXPECT_TRUE(dock("faults")->isHidden());
+    EXPECT_TRUE(dock("leds")->isFloating());
+    EXPECT_FALSE(dock("drive")->isHidden());
+}
+
+TEST_F(LayoutTest, TheLastLinkIsOfferedAgain) {
+    ui::Connector* connector = &rig.window().connector();
+    connector->connectTo(*parseLinkUri("sim:thunderbots?robots=0-2"));
+    EXPECT_EQ(rig.settings().value(QStringLiteral("links/recent")).toStringList().value(0),
+              QStringLiteral("sim:thunderbots?robots=0-2"));
+    connector->askForLink();
+    auto* dialog = rig.find<QInputDialog>(QStringLiteral("linkDialog"));
+    EXPECT_EQ(dialog->textValue(), QStringLiteral("sim:thunderbots?robots=0-2"));
+    dialog->close();
 }
 
 TEST_F(LayoutTest, ClickingCtrlAAndShiftChooseAsInAList) {

@@ -1,6 +1,8 @@
 // The program itself, from outside.
 
 #include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -50,6 +52,29 @@ TEST_F(ProgramTest, HelpAndVersionNeedNoDisplay) {
     EXPECT_EQ(run({QStringLiteral("--help")}), 0);
     EXPECT_TRUE(program.readAllStandardOutput().contains("--tour"));
     EXPECT_EQ(run({QStringLiteral("--version")}), 0);
+}
+
+TEST_F(ProgramTest, ASecondStartShowsTheFirstWindowAndSaysSo) {
+    offscreen();
+    QProcess first;
+    first.setProcessEnvironment(program.processEnvironment());
+    first.start(QStringLiteral(KICKSTAND_PROGRAM), {QStringLiteral("--link"), QStringLiteral("sim:thunderbots")});
+    const QString place = folder.filePath(QStringLiteral("kickstand-window"));
+    QElapsedTimer watchdog;
+    watchdog.start();
+    // It has no other sign of having begun: its end would be one of failure.
+    while (!QFile::exists(place) && watchdog.elapsed() < kWatchdog_ms && !first.waitForFinished(20)) {
+    }
+    ASSERT_TRUE(QFile::exists(place)) << first.readAllStandardError().toStdString();
+    EXPECT_EQ(run({}), 0);
+    EXPECT_TRUE(program.readAllStandardError().contains("open already"));
+    EXPECT_EQ(run({QStringLiteral("--link"), QStringLiteral("sim:thunderbots")}), 1)
+        << "the link was not connected to";
+    EXPECT_TRUE(program.readAllStandardError().contains("--new-instance"));
+    EXPECT_EQ(first.state(), QProcess::Running);
+    first.terminate();
+    EXPECT_TRUE(first.waitForFinished(kWatchdog_ms));
+    EXPECT_EQ(first.exitCode(), 0);
 }
 
 TEST_F(ProgramTest, WithoutADisplayItSaysSoInOneLine) {

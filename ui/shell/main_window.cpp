@@ -202,6 +202,13 @@ void MainWindow::showDoctor() {
     doctor_->activateWindow();
 }
 
+void MainWindow::bringForward() {
+    setWindowState(windowState() & ~Qt::WindowMinimized);
+    show();
+    raise();
+    activateWindow();
+}
+
 void MainWindow::closeNow() {
     bench_.client().stop(StopReason::Person);
     leaving_ = true;

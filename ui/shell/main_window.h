@@ -35,6 +35,8 @@ class MainWindow final : public QWidget {
     void showProblem(const Error& error);
     /// Brakes and closes without a question: a signal asked for it.
     void closeNow();
+    /// Before everything else, as somebody wants who has started the program again.
+    void bringForward();
 
   protected:
     void closeEvent(QCloseEvent* event) override;

@@ -29,8 +29,11 @@ namespace {
 
 constexpr int kRowHeight = 24;
 constexpr int kControlsWidth = 252;
-constexpr int kQuestionSize = 15;
-constexpr int kWidths[] = {48, 268, 104, 72};
+constexpr int kQuestionSize = 14;
+constexpr int kQuestionLines = 3;
+constexpr int kVerdictWidth = 72;
+/// Of the columns before the last; the step takes what is left.
+constexpr int kWidths[] = {48, 0, 100, 64};
 
 QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
     auto* button = new QPushButton(text, parent);
@@ -92,7 +95,7 @@ QWidget* ChecksPanel::makeQuestion() {
     words_->setFont(textFont(kQuestionSize));
     words_->setWordWrap(true);
     words_->setTextFormat(Qt::PlainText);
-    words_->setMinimumHeight(2 * words_->fontMetrics().lineSpacing());
+    words_->setMinimumHeight(kQuestionLines * words_->fontMetrics().lineSpacing());
     column->addWidget(words_);
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::kGap);
@@ -137,11 +140,12 @@ void ChecksPanel::buildTable() {
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setMinimumSectionSize(kRowHeight);
     table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
-    table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setHighlightSections(false);
     int column = 0;
     for (const int width : kWidths)
         table_->setColumnWidth(column++, width);
+    table_->setColumnWidth(ChecksRows::Verdict, kVerdictWidth);
+    table_->horizontalHeader()->setSectionResizeMode(ChecksRows::Step, QHeaderView::Stretch);
 }
 
 QWidget* ChecksPanel::headerTools() {
@@ -224,6 +228,8 @@ void ChecksPanel::showQuestion() {
     const bool some = !check().rows.empty();
     const bool running = some && check().running();
     const bool asking = running && check().stage == CheckStage::Asking;
+    if (!asking) answered_.reset();
+    const bool open = asking && answered_ != check().current;
     QString text = tr("Checks the chosen robots on their stands, one after another.");
     if (asking)
         text = questionText(check().rows[check().current].step);
@@ -231,7 +237,8 @@ void ChecksPanel::showQuestion() {
         text = workText(check().rows[check().current], check().stage);
     else if (some)
         text = sentenceOf(check());
-    if (running) {
+    const bool ready = asking && check().rows[check().current].step.kind == CheckKind::Ready;
+    if (running && !ready) {
         const QString robot = tr("Robot %1").arg(check().rows[check().current].step.robot);
         text = QStringLiteral("%1: %2").arg(robot, text);
     }
@@ -239,9 +246,9 @@ void ChecksPanel::showQuestion() {
     for (QPushButton* button : answers_)
         button->setVisible(running);
     for (QPushButton* button : answers_)
-        button->setEnabled(asking);
-    answers_[static_cast<std::size_t>(CheckAnswer::Again)]->setEnabled(asking && check().canRepeat());
-    setButtonRole(answers_[0], asking ? ButtonRole::Primary : ButtonRole::Normal);
+        button->setEnabled(open);
+    answers_[static_cast<std::size_t>(CheckAnswer::Again)]->setEnabled(open && check().canRepeat());
+    setButtonRole(answers_[0], open ? ButtonRole::Primary : ButtonRole::Normal);
 }
 
 void ChecksPanel::start() {
@@ -249,7 +256,10 @@ void ChecksPanel::start() {
 }
 
 void ChecksPanel::answer(CheckAnswer answer) {
+    // The next question takes a moment to come: a second press is not meant for it.
+    answered_ = check().current;
     ask(AnswerCheck{check().current, answer});
+    showQuestion();
 }
 
 void ChecksPanel::ask(const thunderbots::Command& command) {

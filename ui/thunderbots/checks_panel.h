@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "core/thunderbots/commands.h"
 #include "ui/shell/panel.h"
@@ -59,6 +60,7 @@ class ChecksPanel final : public Panel {
     QPushButton* report_ = nullptr;
     QString refusal_;
     int shownRow_ = -1;
+    std::optional<std::size_t> answered_;  ///< The row whose question has its answer, which is on its way.
 };
 
 }  // namespace kickstand::ui

@@ -70,7 +70,7 @@ QVariant ChecksRows::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return text(row, index.column());
         case Qt::ToolTipRole:
-            return reasonText(row);
+            return index.column() == Step ? describe(row.step) : reasonText(row);
         case Qt::ForegroundRole:
             return colour(row, index.column());
         case Qt::FontRole:

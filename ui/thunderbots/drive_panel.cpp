@@ -43,7 +43,7 @@ DrivePanel::DrivePanel(Bench& bench, DriveControl& control, QWidget* parent)
       boxes_(new QBoxLayout(QBoxLayout::LeftToRight)),
       wheels_(new WheelsBox(this)),
       keys_(new DriveKeysBox(bench.settings(), this)),
-      voltage_(new HighVoltageBox(this)),
+      voltage_(new HighVoltageBox({}, this)),
       told_(new QLabel(this)),
       notice_(new QLabel(this)) {
     build();

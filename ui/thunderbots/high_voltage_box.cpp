@@ -12,9 +12,13 @@ namespace kickstand::ui {
 
 namespace {
 
-QPushButton* toggle(const QString& text, const char* name, const QString& tip, QWidget* parent) {
+QString nameOf(const QString& owner, const QString& name) {
+    return owner.isEmpty() ? name : owner + name.at(0).toUpper() + name.mid(1);
+}
+
+QPushButton* toggle(const QString& text, const QString& name, const QString& tip, QWidget* parent) {
     auto* button = new QPushButton(text, parent);
-    button->setObjectName(QString::fromLatin1(name));
+    button->setObjectName(name);
     button->setCheckable(true);
     button->setAutoDefault(false);
     button->setToolTip(tip);
@@ -23,16 +27,16 @@ QPushButton* toggle(const QString& text, const char* name, const QString& tip, Q
 
 }  // namespace
 
-HighVoltageBox::HighVoltageBox(QWidget* parent)
+HighVoltageBox::HighVoltageBox(const QString& owner, QWidget* parent)
     : QWidget(parent),
       readout_(new CapacitorReadout(this)),
       arm_(toggle(
-          tr("Arm high voltage"), "arm",
+          tr("Arm high voltage"), nameOf(owner, QStringLiteral("arm")),
           tr("Charging, kicking and discharging need this. Disarming switches the charger and autokick off."),
           this)),
-      charger_(toggle(tr("Charger"), "charger", tr("Charges the kicker's capacitor to 219 V."), this)),
+      charger_(toggle(tr("Charger"), nameOf(owner, QStringLiteral("charger")), tr("Charges the kicker's capacitor to 219 V."), this)),
       discharge_(
-          toggle(tr("Discharge"), "discharge",
+          toggle(tr("Discharge"), nameOf(owner, QStringLiteral("discharge")),
                  tr("Empties the capacitor with pulses of 96 \u00b5s until 25 V. Take the ball away first."),
                  this)) {
     auto* column = new QVBoxLayout(this);

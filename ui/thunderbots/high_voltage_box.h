@@ -15,7 +15,9 @@ class CapacitorReadout;
 class HighVoltageBox final : public QWidget {
     Q_OBJECT
   public:
-    explicit HighVoltageBox(QWidget* parent = nullptr);
+    /// `owner` begins the names of its buttons, so that those of two boxes are told apart: "kick" makes
+    /// "kickArm"; without one they are "arm", "charger" and "discharge".
+    explicit HighVoltageBox(const QString& owner, QWidget* parent = nullptr);
 
     /// `buttons`: whether they may follow the snapshot, or a person's wish is still on its way.
     void showState(const ChoiceSummary& summary, TimePoint now, bool buttons);

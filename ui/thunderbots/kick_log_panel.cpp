@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 #include <algorithm>
 
@@ -50,11 +51,20 @@ KickLogPanel::KickLogPanel(Bench& bench, RobotChoice& choice, KickSettings& kick
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
     empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    sweep_->setFixedWidth(kSweepWidth);
+    // Where the window is too low for what a sweep says of itself, it can be scrolled to.
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setFixedWidth(kSweepWidth);
+    scroll->setWidget(sweep_);
+    scroll->viewport()->setAutoFillBackground(false);
+    sweep_->setAutoFillBackground(false);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(metrics::kPadding, metrics::kGap, 1, metrics::kPanelRadius);
     grid->setHorizontalSpacing(kColumnGap);
-    grid->addWidget(sweep_, 0, 0);
+    grid->addWidget(scroll, 0, 0);
     grid->addWidget(table_, 0, 1);
     grid->addWidget(empty_, 0, 1);
     grid->setColumnStretch(1, 1);

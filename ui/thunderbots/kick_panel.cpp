@@ -131,7 +131,7 @@ QWidget* KickPanel::makeVoltage() {
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(metrics::kGap);
-    voltage_ = new HighVoltageBox(box);
+    voltage_ = new HighVoltageBox(QStringLiteral("kick"), box);
     voltage_->setFixedWidth(kVoltageWidth);
     charge_ = makeLine("chargeState", box);
     charge_->setWordWrap(true);

@@ -98,7 +98,7 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&drive](Bench& bench) -> Panel* { return new DrivePanel(bench, drive); }},
         {QStringLiteral("kick"), Words::tr("Kick"), help("kick"), PanelPlace::Work,
          [&choice, &kick](Bench& bench) -> Panel* { return new KickPanel(bench, choice, kick); }},
-        {QStringLiteral("voltages"), Words::tr("Voltages"), QString::fromLatin1(kHelpPage), PanelPlace::Below,
+        {QStringLiteral("voltages"), Words::tr("Voltages"), help("voltages"), PanelPlace::Below,
          [&choice](Bench& bench) -> Panel* { return new VoltagesPanel(bench, choice); }},
         {QStringLiteral("kicks"), Words::tr("Kicks"), help("kick"), PanelPlace::Below,
          [&choice, &kick](Bench& bench) -> Panel* { return new KickLogPanel(bench, choice, kick); }},

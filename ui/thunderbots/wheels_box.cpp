@@ -23,6 +23,9 @@ namespace {
 enum RunSegment { kRun = 0, kBrake = 1, kNeither = -1 };
 enum Page { kWheelsPage = 0, kBodyPage = 1 };
 
+/// The whole box is to fit into the lowest window.
+constexpr int kRowGap = 4;
+
 QString rpmText(int units) {
     return WheelsBox::tr("%1 rpm").arg(signedNumber(static_cast<int>(std::lround(wheel_rpm(units)))));
 }
@@ -41,7 +44,7 @@ WheelsBox::WheelsBox(QWidget* parent)
       limit_(new LimitRow(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(metrics::kGap);
+    column->setSpacing(kRowGap);
     column->addWidget(makeTop());
     pages_->addWidget(makeWheels());
     pages_->addWidget(body_);
@@ -56,7 +59,7 @@ QWidget* WheelsBox::makeWheels() {
     auto* page = new QWidget(pages_);
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(metrics::kGap);
+    column->setSpacing(kRowGap);
     const std::array names = {tr("1 front L"), tr("2 back L"), tr("3 back R"), tr("4 front R")};
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
         wheels_[i] = new SetPointSlider(names[i], page);

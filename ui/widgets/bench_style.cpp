@@ -8,6 +8,7 @@
 
 #include "ui/widgets/menu_drawing.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/tab_drawing.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -197,6 +198,9 @@ QSize BenchStyle::sizeFromContents(ContentsType type, const QStyleOption* option
         case CT_SpinBox:
             return {QProxyStyle::sizeFromContents(type, option, contents, widget).width(),
                     metrics::kFieldHeight};
+        case CT_TabBarTab:
+            if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) return tabSize(*tab);
+            return QProxyStyle::sizeFromContents(type, option, contents, widget);
         case CT_MenuItem:
             if (const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option))
                 return menuItemSize(*item);
@@ -208,6 +212,8 @@ QSize BenchStyle::sizeFromContents(ContentsType type, const QStyleOption* option
 
 QRect BenchStyle::subElementRect(SubElement element, const QStyleOption* option,
                                  const QWidget* widget) const {
+    // The words of a tab have all of it: its size has their margins.
+    if (element == SE_TabBarTabText) return option->rect;
     const QRect rect = QProxyStyle::subElementRect(element, option, widget);
     const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
     const bool alone = element == SE_LineEditContents && frame != nullptr && frame->lineWidth > 0;
@@ -270,6 +276,7 @@ void BenchStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
             return;
         }
         case PE_IndicatorDockWidgetResizeHandle:
+        case PE_FrameTabBarBase:
             return;
         case PE_FrameFocusRect:
             // Buttons show their focus in their border.
@@ -298,6 +305,10 @@ void BenchStyle::drawControl(ControlElement element, const QStyleOption* option,
             QProxyStyle::drawControl(element, &coloured, painter, widget);
             return;
         }
+    }
+    if (element == CE_TabBarTab) {
+        if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) drawTab(*tab, *painter);
+        return;
     }
     const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
     if (element == CE_MenuItem && item != nullptr) {
