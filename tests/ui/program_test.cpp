@@ -58,7 +58,8 @@ TEST_F(ProgramTest, ASecondStartShowsTheFirstWindowAndSaysSo) {
     offscreen();
     QProcess first;
     first.setProcessEnvironment(program.processEnvironment());
-    first.start(QStringLiteral(KICKSTAND_PROGRAM), {QStringLiteral("--link"), QStringLiteral("sim:thunderbots")});
+    first.start(QStringLiteral(KICKSTAND_PROGRAM),
+                {QStringLiteral("--link"), QStringLiteral("sim:thunderbots")});
     const QString place = folder.filePath(QStringLiteral("kickstand-window"));
     QElapsedTimer watchdog;
     watchdog.start();
