@@ -10,7 +10,7 @@ std::span<const CommandSpec> commands() {
         for (const auto family :
              {deviceCommands(), doctorCommands(), stopCommands(), codecCommands(), thunderbotsWatchCommands(),
               thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(), thunderbotsCheckCommands(),
-              thunderbotsSetupCommands()})
+              thunderbotsSetupCommands(), thunderbotsFlashCommands()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

@@ -16,6 +16,7 @@ std::span<const CommandSpec> thunderbotsDriveCommands();
 std::span<const CommandSpec> thunderbotsKickCommands();
 std::span<const CommandSpec> thunderbotsSweepCommands();
 std::span<const CommandSpec> thunderbotsCheckCommands();
+std::span<const CommandSpec> thunderbotsFlashCommands();
 std::span<const CommandSpec> thunderbotsSetupCommands();
 
 }  // namespace kickstand::ctl

@@ -15,7 +15,6 @@ using std::chrono::seconds;
 
 /// Well below the age at which the engine takes the heartbeat for stale.
 constexpr Duration kTick = milliseconds(10);
-constexpr Duration kAnswerLimit = seconds(5);
 constexpr Duration kDiscoveryLimit = seconds(10);
 /// Opening takes a while on a busy bus, and a dongle sets up its radios one after the other.
 constexpr Duration kConnectLimit = seconds(15);
@@ -160,7 +159,7 @@ Outcome SessionRunner::settle() {
     return {};
 }
 
-Outcome SessionRunner::perform(const thunderbots::Command& command) {
+Outcome SessionRunner::perform(const thunderbots::Command& command, Duration limit) {
     const auto id = engine_.submit(session_, SystemCommand(command));
     if (!id) return failed(id.error());
     std::optional<Result<void>> result;
@@ -171,7 +170,7 @@ Outcome SessionRunner::perform(const thunderbots::Command& command) {
             }
             return result.has_value();
         },
-        kAnswerLimit);
+        limit);
     if (!answered) return tl::unexpected(answered.error());
     if (!result) return failed(errorOf(Errc::TimedOut));
     if (!*result) return failed(result->error());

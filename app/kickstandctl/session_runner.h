@@ -35,7 +35,7 @@ class SessionRunner {
     /// Waits until nothing new comes: every robot that is heard has readings, or two seconds have passed.
     Outcome settle();
     /// Hands in a command and waits for its answer.
-    Outcome perform(const thunderbots::Command& command);
+    Outcome perform(const thunderbots::Command& command, Duration limit = std::chrono::seconds(5));
     /// True when `met` came true, false when the time was over first.
     Expected<bool> waitUntil(const std::function<bool()>& met, Duration limit);
 

@@ -6,6 +6,7 @@
 #include "core/engine/describe.h"
 #include "core/engine/describe_check.h"
 #include "core/engine/describe_facts.h"
+#include "core/engine/describe_flash.h"
 #include "core/engine/describe_parameters.h"
 #include "core/thunderbots/wire/faults.h"
 #include "core/thunderbots/wire/readings.h"
@@ -242,7 +243,8 @@ EventText troubleEvent(const thunderbots::Event& event) {
 }
 
 EventText textOf(const thunderbots::Event& event) {
-    for (const auto& group : {linkEvent, robotEvent, highVoltageEvent, checkEvent}) {
+    for (const auto& group : {linkEvent, robotEvent, highVoltageEvent, checkEvent, describeParameterEvent,
+                              describeFlashEvent}) {
         if (auto text = group(event)) return *std::move(text);
     }
     return troubleEvent(event);

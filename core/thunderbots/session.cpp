@@ -63,7 +63,7 @@ void Session::modelEvent(const Event& event) {
         driver(event.robot).halt();
         sendBlock(event.robot);
         requests_.found(event.robot);
-        flash_.found(event.robot);
+        if (controller_.state() == LinkState::Running) flash_.found(event.robot);
         parameters_.found(event.robot);
     }
     const auto run = static_cast<std::int64_t>(wire::EStop::Run);
@@ -142,12 +142,16 @@ void Session::stateChanged() {
         if (sweeper_.running()) endSweep(Errc::Disconnected);
         if (checker_.running()) endCheck(Errc::Disconnected);
         resetConnection();
-        host_.stop.set(StopReason::LinkLost);
+        if (!wentWithItsRobot()) host_.stop.set(StopReason::LinkLost);
         raise(EventKind::LinkLost, -1, 0, 0, link_.health().lostBecause);
     }
     if (state == LinkState::Running) {
         ++connections_;
         raise(EventKind::Connected);
+        // A robot on a cable is heard before it can be asked anything.
+        for (int robot = 0; robot < kRobots; ++robot) {
+            if (model_.robot(robot).live) flash_.found(robot);
+        }
     } else if (state == LinkState::Searching) {
         raise(EventKind::Waiting);
     } else if (state == LinkState::Failed) {

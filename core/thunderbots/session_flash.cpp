@@ -110,6 +110,14 @@ void Session::perform(CommandId id, const ResumeFlash& command) {
     });
 }
 
+bool Session::wentWithItsRobot() const {
+    if (!controller_.isCable()) return false;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (requests_.rebooting(robot) || flash_.expectsLoss(robot)) return true;
+    }
+    return false;
+}
+
 void Session::pauseFlash() {
     for (int robot = 0; robot < kRobots; ++robot) {
         if (flash_.running(robot) && !flash_.progress(robot)->paused) raise(EventKind::FlashPaused, robot);

@@ -288,6 +288,22 @@ TEST_F(Flash, ShowsHowFarItIsAndHowLongItWillTake) {
     EXPECT_EQ(waitForEnd(0).remaining, 0s);
 }
 
+TEST_F(Flash, WorksOnACableWhoseDeviceGoesWithTheRobot) {
+    kickstand::testing::SessionRigOptions made = options();
+    made.sim.cableRobot = std::uint8_t{5};
+    kickstand::testing::SessionRig cable(std::move(made));
+    ASSERT_TRUE(cable.connect());
+    const auto firmware = densePlan(5, kMicrocontroller, 1);
+    const auto bitstream = densePlan(5, kFpga, 2);
+    ASSERT_TRUE(cable.ask(StartFlash{maskOf(5), {firmware, bitstream}, {}}));
+    cable.advance(100ms);
+    for (int i = 0; i < 2000 && cable.state().flash[5]->running(); ++i)
+        cable.advance(50ms);
+    const FlashProgress end = *cable.state().flash[5];
+    EXPECT_EQ(end.stage, FlashStage::Done) << (end.error ? name(end.error->code) : "");
+    EXPECT_EQ(cable.flows().stop.reason(), StopReason::None) << "it was told to go";
+}
+
 TEST_F(Flash, WorksOnARadioAtItsTruePace) {
     kickstand::testing::SessionRigOptions made = options();
     made.sim.pace = sim::RadioPace::True;
