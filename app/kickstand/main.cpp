@@ -13,12 +13,15 @@
 #include <string_view>
 
 #include "app/composition/composition.h"
+#include "app/composition/ledger_file.h"
 #include "app/kickstand/options.h"
 #include "app/kickstand/tour.h"
 #include "core/engine/engine.h"
+#include "core/ledger/ledger.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
 #include "ui/shell/first_paint.h"
+#include "ui/shell/ledger_feed.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/signal_watch.h"
 #include "ui/shell/single_instance.h"
@@ -121,8 +124,10 @@ int main(int argc, char** argv) {
     if (options.tourFolder) engineOptions.heartbeatLimit = kTourPatience;
     Engine engine(makeLinkProvider(), engineOptions);
     ui::EngineClient client(engine);
+    Ledger ledger(options.tourFolder ? ":memory:" : ledgerFile());
+    const ui::LedgerFeed feed(client, ledger);
     ui::SystemRegistry systems;
-    systems.add(std::make_unique<ui::ThunderbotsView>());
+    systems.add(std::make_unique<ui::ThunderbotsView>(ledger));
     ui::Bench bench(client, systems, settings);
     ui::StopFilter stopFilter([&bench] { return bench.isActive(); });
     QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client,

@@ -65,6 +65,9 @@ void addDrivingSteps(TourMaker& tour);
 /// The smallest window that holds everything, with all sixteen tiles up to something, stopped, and with a
 /// robot lost.
 void addSmallSteps(TourMaker& tour);
+/// Parameters: read, drafted, asked about, applied, committed, proven by a reboot, compared. Robot 3 is
+/// chosen.
+void addParameterSteps(TourMaker& tour);
 /// The plots: cursors, a trigger, several robots. Robot 3 is chosen.
 void addVoltagesSteps(TourMaker& tour);
 

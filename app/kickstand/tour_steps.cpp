@@ -32,6 +32,7 @@ class Steps final : public TourMaker {
         addVoltagesSteps(*this);
         addLookingSteps(*this);
         addCheckSteps(*this);
+        addParameterSteps(*this);
         stopping();
         losing();
         addSmallSteps(*this);

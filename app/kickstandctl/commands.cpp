@@ -9,8 +9,9 @@ std::span<const CommandSpec> commands() {
         std::vector<CommandSpec> all;
         for (const auto family :
              {deviceCommands(), doctorCommands(), stopCommands(), codecCommands(), thunderbotsWatchCommands(),
-              thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(), thunderbotsCheckCommands(),
-              thunderbotsSetupCommands(), thunderbotsFlashCommands()})
+              thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(),
+              thunderbotsCheckCommands(), thunderbotsSetupCommands(), thunderbotsFlashCommands(),
+              thunderbotsParametersCommands()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

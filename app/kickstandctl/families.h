@@ -18,5 +18,6 @@ std::span<const CommandSpec> thunderbotsSweepCommands();
 std::span<const CommandSpec> thunderbotsCheckCommands();
 std::span<const CommandSpec> thunderbotsFlashCommands();
 std::span<const CommandSpec> thunderbotsSetupCommands();
+std::span<const CommandSpec> thunderbotsParametersCommands();
 
 }  // namespace kickstand::ctl

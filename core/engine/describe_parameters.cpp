@@ -84,7 +84,7 @@ QString describe(wire::FlashContents contents) {
         case wire::FlashContents::FpgaBitstream:
             return Words::tr("FPGA bitstream");
         case wire::FlashContents::Microcontroller:
-            return Words::tr("microcontroller firmware");
+            return Words::tr("microcontroller");
         case wire::FlashContents::NoData:
             return Words::tr("no data");
     }
@@ -135,6 +135,10 @@ QString describe(const thunderbots::ParameterWarning& warning, ParameterStep ste
             return when + Words::tr(
                               "it copies whatever is in its flash into its microcontroller. If that is "
                               "no verified firmware, the robot does not start any more.");
+        case ParameterRisk::OtherBitstream:
+            return when + Words::tr(
+                              "its FPGA is given whatever is in the flash. If that is no verified "
+                              "bitstream, the robot cannot drive.");
         case ParameterRisk::NoBitstream:
             return when + Words::tr("its FPGA gets no bitstream, and it cannot drive.");
     }

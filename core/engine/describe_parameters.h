@@ -17,7 +17,7 @@ QString describe(const thunderbots::ParameterState& state);
 QString describe(thunderbots::ParameterField field);
 /// A value with its unit: "0x0e (14)", "not configured", "120 (47 %)", "FPGA bitstream".
 QString describeValue(thunderbots::ParameterField field, std::uint8_t value);
-/// "FPGA bitstream", "microcontroller firmware", "no data".
+/// "FPGA bitstream", "microcontroller", "no data".
 QString describe(thunderbots::wire::FlashContents contents);
 
 /// What a person is about to do.

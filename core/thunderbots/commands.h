@@ -112,7 +112,7 @@ struct StartSweep {
 /// What the chosen robots were doing ends. Refused with NotArmed where high voltage is to be checked,
 /// RobotNotAlive when none of them is heard, CheckRunning, SweepRunning, OutOfRange past the wheels' limit,
 /// and planCheck()'s errors. While it runs, the robot at work takes nothing else that moves, charges or kicks
-/// (CheckRunning); to brake or disarm it ends the check.
+/// (CheckRunning); to brake it, disarm it or switch something of it off ends the check.
 struct StartCheck {
     CheckPlan plan;
 };
@@ -139,8 +139,8 @@ struct SetChannels {
 };
 
 /// Reads a robot's operational parameters, or its build signatures, which takes the robot some seconds
-/// (protocol 4.7, 4.8). Answered when they are in the snapshot. Refused with RobotNotAlive and
-/// RequestPending; Unanswered or TimedOut where the robot does not answer.
+/// (protocol 4.7, 4.8). Answered when they are in the snapshot. Refused with RobotNotAlive, FlashRunning
+/// and RequestPending; Unanswered or TimedOut where the robot does not answer.
 struct ReadParameters {
     int robot = 0;
 };

@@ -44,7 +44,4 @@ class ParameterKeeper {
     std::uint64_t version_ = 0;
 };
 
-/// "unread", "as-read", "applied", …: stable names for JSON. Any thread.
-const char* name(ParameterStanding standing);
-
 }  // namespace kickstand::thunderbots

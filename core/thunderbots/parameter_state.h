@@ -35,4 +35,7 @@ struct ParameterState {
     friend bool operator==(const ParameterState&, const ParameterState&) = default;
 };
 
+/// "unread", "as-read", "applied", …: stable names for JSON. Any thread.
+const char* name(ParameterStanding standing);
+
 }  // namespace kickstand::thunderbots

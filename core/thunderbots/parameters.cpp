@@ -166,6 +166,8 @@ std::vector<ParameterWarning> parameterWarnings(int robot, const wire::Operation
         warn(taken ? ParameterRisk::NumberTaken : ParameterRisk::NumberChanges);
     }
     if (flashChanges && block.flash() == wire::FlashContents::NoData) warn(ParameterRisk::NoBitstream);
+    if (now && flashChanges && block.flash() == wire::FlashContents::FpgaBitstream)
+        warn(ParameterRisk::OtherBitstream);
     return warnings;
 }
 

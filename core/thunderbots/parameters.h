@@ -31,6 +31,9 @@ constexpr bool contains(ParameterMask mask, ParameterField field) {
     return (mask & maskOf(field)) != 0;
 }
 inline constexpr ParameterMask kAllParameters = (1U << kParameterFieldCount) - 1;
+/// What can be set as one likes. The flash contents say what is there, and are not made true by being set.
+inline constexpr ParameterMask kSettings =
+    static_cast<ParameterMask>(kAllParameters & ~maskOf(ParameterField::FlashContents));
 
 /// "flash_contents", "channel0", "channel1", "robot_number", "dribbler_duty": the names of the wire's own
 /// tables. Any thread.
@@ -68,12 +71,13 @@ ParameterMask differences(const wire::OperationalParameters& a, const wire::Oper
 /// What goes wrong with a block from the robot's next boot on, once the block has been committed: numbers,
 /// channels and flash contents mean nothing before (protocol 4.8, 6.8).
 enum class ParameterRisk : std::uint8_t {
-    NoChannel,      ///< A radio without a channel: no dongle hears the robot.
-    OtherChannels,  ///< Not the channels of this dongle: it loses the robot.
-    NumberTaken,    ///< Another robot that is alive has the number: both answer to it.
-    NumberChanges,  ///< It answers to another number.
-    CopiesFlash,    ///< It copies whatever is in its flash into its microcontroller.
-    NoBitstream,    ///< Its FPGA gets no bitstream, so that it cannot drive.
+    NoChannel,       ///< A radio without a channel: no dongle hears the robot.
+    OtherChannels,   ///< Not the channels of this dongle: it loses the robot.
+    NumberTaken,     ///< Another robot that is alive has the number: both answer to it.
+    NumberChanges,   ///< It answers to another number.
+    CopiesFlash,     ///< It copies whatever is in its flash into its microcontroller.
+    NoBitstream,     ///< Its FPGA gets no bitstream, so that it cannot drive.
+    OtherBitstream,  ///< Its FPGA is given whatever is in the flash.
 };
 
 struct ParameterWarning {
@@ -86,7 +90,8 @@ struct ParameterWarning {
     /// Whether the robot would be lost, would disturb another one, or would change itself for good: what must
     /// not be done unasked.
     bool serious() const {
-        return risk != ParameterRisk::NumberChanges && risk != ParameterRisk::NoBitstream;
+        return risk != ParameterRisk::NumberChanges && risk != ParameterRisk::NoBitstream &&
+               risk != ParameterRisk::OtherBitstream;
     }
     friend bool operator==(const ParameterWarning&, const ParameterWarning&) = default;
 };

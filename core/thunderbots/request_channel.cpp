@@ -13,8 +13,9 @@ using wire::FirmwareOp;
 constexpr Duration kMargin = std::chrono::seconds(2);
 /// A dongle that takes no message for so long takes none any more.
 constexpr Duration kTakenLimit = std::chrono::seconds(10);
-/// How long after a request to reboot a robot is expected to vanish.
-constexpr Duration kRebootWindow = std::chrono::seconds(10);
+/// How long after a request to reboot a robot is expected to vanish: a dongle with sixteen of them takes some
+/// eight seconds to notice.
+constexpr Duration kRebootWindow = std::chrono::seconds(20);
 /// Robots may be slower than the ones that were timed.
 constexpr int kSlack = 2;
 

@@ -45,7 +45,8 @@ BenchRig::BenchRig()
       theme_(std::make_unique<ui::Theme>(*settings_)),
       engine_(std::make_unique<Engine>(makeTestLinks(board_), patientEngine())),
       client_(std::make_unique<ui::EngineClient>(*engine_)) {
-    systems_.add(std::make_unique<ui::ThunderbotsView>());
+    systems_.add(std::make_unique<ui::ThunderbotsView>(ledger_));
+    feed_ = std::make_unique<ui::LedgerFeed>(*client_, ledger_);
     bench_ = std::make_unique<ui::Bench>(*client_, systems_, *settings_);
     stopFilter_ = std::make_unique<ui::StopFilter>([this] { return bench_->isActive(); });
     QObject::connect(stopFilter_.get(), &ui::StopFilter::stopAsked, client_.get(),

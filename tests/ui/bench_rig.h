@@ -11,10 +11,12 @@
 #include <gtest/gtest.h>
 
 #include "core/engine/engine.h"
+#include "core/ledger/ledger.h"
 #include "core/thunderbots/snapshot.h"
 #include "tests/ui/test_links.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
+#include "ui/shell/ledger_feed.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/stop_filter.h"
 #include "ui/shell/system_view.h"
@@ -52,6 +54,7 @@ class BenchRig {
     ui::MainWindow& window() { return *window_; }
     QSettings& settings() { return *settings_; }
     LinkBoard& board() { return *board_; }
+    Ledger& ledger() { return ledger_; }
     WireLog& wire() { return board_->wire; }
 
     /// A control of the window, by its name. It must be there.
@@ -75,6 +78,8 @@ class BenchRig {
     std::unique_ptr<ui::Theme> theme_;
     std::unique_ptr<Engine> engine_;
     std::unique_ptr<ui::EngineClient> client_;
+    Ledger ledger_{":memory:"};
+    std::unique_ptr<ui::LedgerFeed> feed_;
     ui::SystemRegistry systems_;
     std::unique_ptr<ui::Bench> bench_;
     std::unique_ptr<ui::StopFilter> stopFilter_;

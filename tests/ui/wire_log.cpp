@@ -37,6 +37,8 @@ void WireLog::readMessage(ByteView packet) {
         kicks_.push_back(robot);
         kickBytes_.emplace_back(packet.begin() + 1, packet.end());
     }
+    if (pipe == static_cast<int>(wire::Pipe::FirmwareRequest))
+        firmware_[static_cast<std::size_t>(robot)].emplace_back(packet.begin() + 1, packet.end());
     if (pipe == static_cast<int>(wire::Pipe::TestMode) && packet.size() == 3)
         testModes_.push_back({robot, packet[1], packet[2]});
 }
@@ -48,6 +50,8 @@ void WireLog::clear() {
     kicks_.clear();
     kickBytes_.clear();
     testModes_.clear();
+    for (auto& messages : firmware_)
+        messages.clear();
 }
 
 std::vector<wire::DriveBlock> WireLog::blocks(int robot) const {
@@ -65,6 +69,11 @@ std::optional<wire::DriveBlock> WireLog::last(int robot) const {
 std::vector<int> WireLog::kicks() const {
     const std::lock_guard lock(mutex_);
     return kicks_;
+}
+
+std::vector<std::vector<std::uint8_t>> WireLog::firmware(int robot) const {
+    const std::lock_guard lock(mutex_);
+    return firmware_[static_cast<std::size_t>(robot)];
 }
 
 std::vector<std::array<int, 3>> WireLog::testModes() const {

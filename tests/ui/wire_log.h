@@ -29,6 +29,8 @@ class WireLog final : public UsbTapObserver {
     std::vector<std::vector<std::uint8_t>> kickBytes() const;
     /// Messages on the test mode pipe since clear(): robot, class, target.
     std::vector<std::array<int, 3>> testModes() const;
+    /// Messages on a robot's firmware request pipe since clear(), without the pipe.
+    std::vector<std::vector<std::uint8_t>> firmware(int robot) const;
     std::uint64_t packets() const { return packets_; }
 
   private:
@@ -40,6 +42,7 @@ class WireLog final : public UsbTapObserver {
     std::vector<int> kicks_;
     std::vector<std::vector<std::uint8_t>> kickBytes_;
     std::vector<std::array<int, 3>> testModes_;
+    std::array<std::vector<std::vector<std::uint8_t>>, thunderbots::kRobots> firmware_;
     std::atomic<std::uint64_t> packets_{0};
 };
 

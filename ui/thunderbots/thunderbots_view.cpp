@@ -16,6 +16,7 @@
 #include "ui/thunderbots/kick_log_panel.h"
 #include "ui/thunderbots/kick_panel.h"
 #include "ui/thunderbots/leds_panel.h"
+#include "ui/thunderbots/parameters_panel.h"
 #include "ui/thunderbots/robots_panel.h"
 #include "ui/thunderbots/voltages_panel.h"
 #include "ui/thunderbots/words.h"
@@ -79,7 +80,8 @@ const Snapshot* snapshotOf(const SessionSnapshot* session) {
     return session == nullptr ? nullptr : std::get_if<Snapshot>(&session->system);
 }
 
-ThunderbotsView::ThunderbotsView() : drive_(std::make_unique<DriveControl>(*choice_)) {}
+ThunderbotsView::ThunderbotsView(Ledger& ledger)
+    : ledger_(ledger), drive_(std::make_unique<DriveControl>(*choice_)) {}
 
 ThunderbotsView::~ThunderbotsView() = default;
 
@@ -91,6 +93,7 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
     RobotChoice& choice = *choice_;
     KickSettings& kick = *kick_;
     DriveControl& drive = *drive_;
+    Ledger& ledger = ledger_;
     return {
         {QStringLiteral("robots"), Words::tr("Robots"), help("robots"), PanelPlace::Side,
          [&choice](Bench& bench) -> Panel* { return new RobotsPanel(bench, choice); }},
@@ -104,6 +107,8 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice, &kick](Bench& bench) -> Panel* { return new KickLogPanel(bench, choice, kick); }},
         {QStringLiteral("checks"), Words::tr("Checks"), help("checks"), PanelPlace::Work,
          [&choice](Bench& bench) -> Panel* { return new ChecksPanel(bench, choice); }},
+        {QStringLiteral("parameters"), Words::tr("Parameters"), help("parameters"), PanelPlace::Work,
+         [&choice, &ledger](Bench& bench) -> Panel* { return new ParametersPanel(bench, choice, ledger); }},
         {QStringLiteral("leds"), Words::tr("Test LEDs"), help("test-leds"), PanelPlace::Aside,
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
         {QStringLiteral("experiment"), Words::tr("Experiment data"), help("experiment-data"),

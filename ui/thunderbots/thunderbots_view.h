@@ -5,6 +5,10 @@
 #include "ui/thunderbots/kick_settings.h"
 #include "ui/thunderbots/robot_choice.h"
 
+namespace kickstand {
+class Ledger;
+}
+
 namespace kickstand::ui {
 
 class DriveControl;
@@ -15,7 +19,8 @@ const thunderbots::Snapshot* snapshotOf(const SessionSnapshot* session);
 /// What the shell shows of the thunderbots system, and its panels.
 class ThunderbotsView final : public SystemView {
   public:
-    ThunderbotsView();
+    /// `ledger` keeps what is read from robots; it must outlive every panel.
+    explicit ThunderbotsView(Ledger& ledger);
     ~ThunderbotsView() override;
 
     QString name() const override;
@@ -38,6 +43,7 @@ class ThunderbotsView final : public SystemView {
     RobotChoice& choice() const { return *choice_; }
 
   private:
+    Ledger& ledger_;
     std::unique_ptr<RobotChoice> choice_ = std::make_unique<RobotChoice>();
     std::unique_ptr<KickSettings> kick_ = std::make_unique<KickSettings>();
     std::unique_ptr<DriveControl> drive_;

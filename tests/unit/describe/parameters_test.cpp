@@ -26,7 +26,7 @@ TEST(DescribeParameters, EveryStandingHasWordsOfItsOwn) {
 
 TEST(DescribeParameters, EveryWarningSaysWhenAndWhatAtEachStep) {
     std::set<QString> seen;
-    for (int risk = 0; risk <= static_cast<int>(ParameterRisk::NoBitstream); ++risk) {
+    for (int risk = 0; risk <= static_cast<int>(ParameterRisk::OtherBitstream); ++risk) {
         for (const ParameterStep step :
              {ParameterStep::Apply, ParameterStep::Commit, ParameterStep::Reboot}) {
             const QString text = describe({static_cast<ParameterRisk>(risk), 3, 7, 11, 26}, step);

@@ -114,6 +114,9 @@ TEST(ParameterWarnings, FlashContentsMeanWhatTheNextBootDoes) {
     block.flashContents = 9;
     EXPECT_EQ(risksOf(block), std::vector{ParameterRisk::NoBitstream});
     EXPECT_TRUE(parameterWarnings(3, block, block, kDongle, 8).empty()) << "it is so already";
+    const auto back = parameterWarnings(3, blockOf(3), block, kDongle, 8);
+    ASSERT_EQ(back.size(), 1U);
+    EXPECT_EQ(back.front().risk, ParameterRisk::OtherBitstream);
 }
 
 TEST(ParameterWarnings, TheGravestComesFirst) {
