@@ -210,8 +210,8 @@ QString valueText(const CheckRow& row) {
 QString limitText(const CheckRow& row) {
     if (!row.limit) return {};
     const QString limit = number(*row.limit, row.step.kind);
-    return kindText(row.step.kind).least ? Check::tr("at least %1").arg(limit)
-                                         : Check::tr("at most %1").arg(limit);
+    return (kindText(row.step.kind).least ? QStringLiteral("\u2265 %1") : QStringLiteral("\u2264 %1"))
+        .arg(limit);
 }
 
 QString reasonText(const CheckRow& row) {

@@ -19,7 +19,7 @@ QString questionText(const thunderbots::CheckStep& step);
 QString workText(const thunderbots::CheckRow& row, thunderbots::CheckStage stage);
 /// "15.93 V"; empty where nothing was measured.
 QString valueText(const thunderbots::CheckRow& row);
-/// "at least 15.0 V"; empty where there is no limit.
+/// "≥ 15.0 V"; empty where there is no limit.
 QString limitText(const thunderbots::CheckRow& row);
 /// Why a step did not pass, where its value does not say so; else empty.
 QString reasonText(const thunderbots::CheckRow& row);

@@ -148,6 +148,8 @@ void Session::perform(CommandId id, const SetDribbler& command) {
         id, command.robots,
         [this, &command](int robot) { return command.on ? checkMayMove(robot) : Result<void>{}; },
         [this, &command](int robot) -> Result<void> {
+            // A check would switch it on again.
+            if (checker_.running(robot)) endCheck(Errc::Cancelled);
             driver(robot).setDribbler(command.on);
             return {};
         });
@@ -176,6 +178,7 @@ void Session::perform(CommandId id, const SetCharger& command) {
         [this, &command](int robot) -> Result<void> {
             if (command.on && discharger_.running(robot))
                 endDischarge(robot, static_cast<std::int64_t>(Errc::Cancelled));
+            if (checker_.running(robot)) endCheck(Errc::Cancelled);
             driver(robot).setCharger(command.on);
             return {};
         });
@@ -293,6 +296,7 @@ void Session::perform(CommandId id, const Discharge& command) {
     }
     const RobotState& robot = model_.robot(command.robot);
     if (!command.on) {
+        if (checker_.running(command.robot)) endCheck(Errc::Cancelled);
         if (discharger_.running(command.robot))
             endDischarge(command.robot, static_cast<std::int64_t>(Errc::Cancelled));
     } else if (robot.freshness != Freshness::Current) {

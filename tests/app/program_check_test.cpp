@@ -58,7 +58,7 @@ TEST_F(ProgramCheck, AStepThatDoesNotPassIsExitOneWithTheReportSaved) {
     EXPECT_NE(ended.out.find("Battery at rest: failed"), std::string::npos) << ended.out;
     const QByteArray html = content("report.html");
     EXPECT_TRUE(html.contains("Robot 1 did not pass: Battery at rest (failed).")) << html.toStdString();
-    EXPECT_TRUE(html.contains("at least 17.50 V")) << html.toStdString();
+    EXPECT_TRUE(html.contains("≥ 17.50 V")) << html.toStdString();
 }
 
 TEST_F(ProgramCheck, NotSeenAndSkippedAreNotPassed) {

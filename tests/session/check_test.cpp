@@ -256,6 +256,18 @@ TEST_F(RunningCheck, BrakingOrDisarmingItsRobotEndsIt) {
     expectEnded(Errc::NotArmed);
 }
 
+TEST_F(RunningCheck, SwitchingSomethingOffByHandEndsIt) {
+    const Command offs[] = {SetDribbler{maskOf(0), false}, SetCharger{maskOf(0), false}, Discharge{0, false}};
+    for (const Command& off : offs) {
+        ASSERT_TRUE(rig.ask(off));
+        expectEnded(Errc::Cancelled);
+        ASSERT_TRUE(rig.arm(0));
+        plan.robots = maskOf(0);
+        ASSERT_TRUE(rig.ask(StartCheck{plan}));
+        ASSERT_TRUE(waitForQuestion());
+    }
+}
+
 TEST_F(RunningCheck, AStaleHeartbeatEndsIt) {
     rig.beat(false);
     expectEnded(Errc::StopLatched);

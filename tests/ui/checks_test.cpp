@@ -83,7 +83,7 @@ TEST_F(ChecksTest, AWheelRunsOnTheWireAndIsAskedFor) {
     ASSERT_TRUE(press("checksNo"));
     ASSERT_TRUE(waitUntil([this] { return cell(3, 4) == QStringLiteral("not seen"); }));
     EXPECT_EQ(cell(1, 1), QStringLiteral("Battery at rest"));
-    EXPECT_EQ(cell(1, 2), QStringLiteral("at least 14.00 V"));
+    EXPECT_EQ(cell(1, 2), QStringLiteral("≥ 14.00 V"));
     EXPECT_EQ(cell(2, 4), QStringLiteral("passed"));
     ASSERT_TRUE(press("checksStop"));
     ASSERT_TRUE(waitForWords(QStringLiteral("ended early")));

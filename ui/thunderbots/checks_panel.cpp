@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <bit>
 
 #include "core/engine/describe.h"
 #include "core/engine/describe_check.h"
@@ -28,12 +29,12 @@ using namespace thunderbots;
 namespace {
 
 constexpr int kRowHeight = 24;
-constexpr int kControlsWidth = 252;
+constexpr int kControlsWidth = 240;
 constexpr int kQuestionSize = 14;
 constexpr int kQuestionLines = 3;
-constexpr int kVerdictWidth = 72;
+constexpr int kVerdictWidth = 68;
 /// Of the columns before the last; the step takes what is left.
-constexpr int kWidths[] = {48, 0, 100, 64};
+constexpr int kWidths[] = {48, 0, 76, 62};
 
 QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
     auto* button = new QPushButton(text, parent);
@@ -186,6 +187,7 @@ void ChecksPanel::refresh() {
     summary_ = snapshot == nullptr ? ChoiceSummary{} : summarize(*snapshot, choice_.chosen());
     if (snapshot != nullptr && !snapshot->check->rows.empty()) check_ = snapshot->check;
     rows_.take(check_);
+    table_->setColumnHidden(ChecksRows::Robot, std::popcount(check().plan.robots) == 1);
     showControls(snapshot);
     showQuestion();
     if (report_ != nullptr) report_->setEnabled(!check().rows.empty());

@@ -93,7 +93,7 @@ TEST(CheckReport, HasEveryStepWithLimitValueAndVerdict) {
 
     const QString html = checkReportHtml(progress, {});
     EXPECT_TRUE(html.contains(QStringLiteral("15.93 V"))) << html.toStdString();
-    EXPECT_TRUE(html.contains(QStringLiteral("at least 15.00 V")));
+    EXPECT_TRUE(html.contains(QStringLiteral("≥ 15.00 V")));
     EXPECT_TRUE(html.contains(QStringLiteral("<b>failed</b>: ")));
     EXPECT_EQ(html.count(QStringLiteral("<tr>")), static_cast<qsizetype>(progress.rows.size()) + 1);
 
