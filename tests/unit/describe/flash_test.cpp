@@ -85,8 +85,9 @@ TEST(DescribeFlash, TellsItsEvents) {
     EXPECT_EQ(textOf(EventKind::FlashEnded, static_cast<int>(Errc::RobotNotAlive), 0),
               "upload ended: The robot is not heard. Nothing in it has changed.");
     EXPECT_EQ(textOf(EventKind::KickGiven, 0, 0), "");
-    EXPECT_TRUE(describe(EngineEvent{1, SystemEvent(thunderbots::Event{EventKind::FlashPaused, {}, 3})})
-                    .text.contains(QStringLiteral("paused")));
+    EXPECT_TRUE(
+        describe(EngineEvent{1, SystemEvent(thunderbots::Event{EventKind::FlashPaused, {}, 3, 0, 0, 0, {}})})
+            .text.contains(QStringLiteral("paused")));
 }
 
 }  // namespace
