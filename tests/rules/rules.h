@@ -31,14 +31,17 @@ inline constexpr std::string_view kReadme = "readme";          ///< Every top fo
 inline constexpr std::string_view kUnfinished = "unfinished";  ///< No notes to do something later.
 inline constexpr std::string_view kMachinePath = "machine-path";  ///< No absolute path of somebody's machine.
 
+inline constexpr std::string_view kUntranslated =
+    "untranslated";  ///< What the window shows goes through tr().
+
 inline constexpr std::string_view kRules[] = {kLayer,       kLibrary,    kPure,          kCoreQt,
                                               kIncludePath, kPragmaOnce, kForeignSource, kBudget,
-                                              kReadme,      kUnfinished, kMachinePath};
+                                              kReadme,      kUnfinished, kMachinePath,   kUntranslated};
 
 /// The rules about includes: layer, library, pure, core-qt, include-path, pragma-once.
 std::vector<Violation> checkIncludes(const Tree& tree);
 
-/// The rules about the files themselves: foreign-source, budget, readme, unfinished, machine-path; core-qt in
+/// The rules about the files themselves: foreign-source, budget, readme, unfinished, machine-path, untranslated; core-qt in
 /// CMake's files.
 std::vector<Violation> checkTexts(const Tree& tree);
 

@@ -62,7 +62,8 @@ TEST_P(FixtureTest, TheRuleIsFoundBrokenExactlyWhereItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Rules, FixtureTest,
                          testing::Values("layer", "library", "pure", "core-qt", "include-path", "pragma-once",
-                                         "foreign-source", "readme", "unfinished", "machine-path"),
+                                         "foreign-source", "readme", "unfinished", "machine-path",
+                                         "untranslated"),
                          [](const auto& rule) {
                              std::string name = rule.param;
                              std::ranges::replace(name, '-', '_');

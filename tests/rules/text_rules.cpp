@@ -51,6 +51,36 @@ bool hasAbsolutePath(std::string_view line, std::string_view folder) {
     return false;
 }
 
+/// The calls by which words get onto the screen.
+constexpr std::array<std::string_view, 14> kShowing{
+    "setText(",       "setToolTip(", "setWindowTitle(", "setAccessibleName(", "setPlaceholderText(",
+    "setWhatsThis(",  "addAction(",  "addMenu(",        "addSection(",        "addTab(",
+    "QPushButton(",   "QLabel(",     "QCheckBox(",      "QMessageBox("};
+
+/// Whether a text that begins here is a literal of more than one letter, whatever makes a QString of it.
+bool isWordsLiteral(std::string_view text) {
+    for (const std::string_view maker : {"QStringLiteral(", "QLatin1String(", "u"}) {
+        if (text.starts_with(maker)) text.remove_prefix(maker.size());
+    }
+    if (!text.starts_with('"')) return false;
+    text = text.substr(1, text.find('"', 1) - 1);
+    const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    return std::ranges::count_if(text, isLetter) > 1;
+}
+
+void checkTranslated(const SourceFile& file, std::vector<Violation>& found) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        const std::string_view line = file.lines[i];
+        for (const std::string_view call : kShowing) {
+            const std::size_t at = line.find(call);
+            if (at != line.npos && isWordsLiteral(line.substr(at + call.size()))) {
+                found.push_back({file.path, i + 1, kUntranslated,
+                                 "words without tr(): " + std::string(line.substr(at))});
+            }
+        }
+    }
+}
+
 void checkLines(const SourceFile& file, std::vector<Violation>& found) {
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
         for (const std::string& mark : kUnfinishedMarks) {
@@ -148,6 +178,7 @@ std::vector<Violation> checkTexts(const Tree& tree) {
     for (const SourceFile& file : tree.files) {
         checkLines(file, found);
         if (file.isCMake()) checkCMake(file, found);
+        if (file.isIn("ui/") && file.isSource()) checkTranslated(file, found);
     }
     checkBudgets(tree, found);
     checkReadmes(tree, found);
