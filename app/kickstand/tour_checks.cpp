@@ -35,10 +35,9 @@ void addCheckSteps(TourMaker& tour) {
     tour.add("checks-choose", tour.press("robot6"));
     tour.add("checks-quick", [window] {
         window->findChild<QSpinBox*>(QStringLiteral("checks_run_s"))->setValue(5);
-        window->findChild<QAbstractButton*>(QStringLiteral("checks_leds"))->setChecked(false);
+        for (const char* const part : {"checks_leds", "checks_kicker"})
+            window->findChild<QAbstractButton*>(QLatin1String(part))->setChecked(false);
     });
-    tour.add("checks-arm", tour.press("checksArm"),
-             tour.when([](const Snapshot& snapshot) { return snapshot.intents[kChecked].highVoltageArmed; }));
     tour.show("check-begins", tour.press("checksStart"),
               tour.when([](const Snapshot& snapshot) { return isAsked(snapshot, CheckKind::Ready); }));
     tour.show("check-asks", tour.press("checksYes"),

@@ -41,8 +41,8 @@ inline constexpr std::string_view kRules[] = {kLayer,       kLibrary,    kPure, 
 /// The rules about includes: layer, library, pure, core-qt, include-path, pragma-once.
 std::vector<Violation> checkIncludes(const Tree& tree);
 
-/// The rules about the files themselves: foreign-source, budget, readme, unfinished, machine-path, untranslated; core-qt in
-/// CMake's files.
+/// The rules about the files themselves: foreign-source, budget, readme, unfinished, machine-path,
+/// untranslated; core-qt in CMake's files.
 std::vector<Violation> checkTexts(const Tree& tree);
 
 }  // namespace kickstand::rules

@@ -53,9 +53,9 @@ bool hasAbsolutePath(std::string_view line, std::string_view folder) {
 
 /// The calls by which words get onto the screen.
 constexpr std::array<std::string_view, 14> kShowing{
-    "setText(",       "setToolTip(", "setWindowTitle(", "setAccessibleName(", "setPlaceholderText(",
-    "setWhatsThis(",  "addAction(",  "addMenu(",        "addSection(",        "addTab(",
-    "QPushButton(",   "QLabel(",     "QCheckBox(",      "QMessageBox("};
+    "setText(",      "setToolTip(", "setWindowTitle(", "setAccessibleName(", "setPlaceholderText(",
+    "setWhatsThis(", "addAction(",  "addMenu(",        "addSection(",        "addTab(",
+    "QPushButton(",  "QLabel(",     "QCheckBox(",      "QMessageBox("};
 
 /// Whether a text that begins here is a literal of more than one letter, whatever makes a QString of it.
 bool isWordsLiteral(std::string_view text) {
@@ -74,8 +74,8 @@ void checkTranslated(const SourceFile& file, std::vector<Violation>& found) {
         for (const std::string_view call : kShowing) {
             const std::size_t at = line.find(call);
             if (at != line.npos && isWordsLiteral(line.substr(at + call.size()))) {
-                found.push_back({file.path, i + 1, kUntranslated,
-                                 "words without tr(): " + std::string(line.substr(at))});
+                found.push_back(
+                    {file.path, i + 1, kUntranslated, "words without tr(): " + std::string(line.substr(at))});
             }
         }
     }
