@@ -15,7 +15,7 @@ struct Options {
     std::optional<QString> tourFolder;
     std::optional<ui::ThemeChoice> theme;
     bool newInstance = false;  ///< Beside a window that is open already.
-    bool announce = false;  ///< Tell on standard output how far the start has come.
+    bool announce = false;     ///< Tell on standard output how far the start has come.
 };
 
 /// Reads the command line. --help and --version end the program here with exit code 0, nonsense with one line

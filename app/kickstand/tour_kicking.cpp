@@ -34,10 +34,9 @@ void addSweep(TourMaker& tour) {
     tour.show("sweep", tour.press("sweepStart"), tour.when([](const Snapshot& snapshot) {
         return snapshot.sweep && snapshot.sweep->given == 3 && isMeasured(snapshot, KickCause::Sweep);
     }));
-    tour.add("sweep-stop", tour.press("sweepStop"),
-             tour.when([](const Snapshot& snapshot) {
-                 return !snapshot.sweep->running() && isMeasured(snapshot, KickCause::Sweep);
-             }));
+    tour.add("sweep-stop", tour.press("sweepStop"), tour.when([](const Snapshot& snapshot) {
+        return !snapshot.sweep->running() && isMeasured(snapshot, KickCause::Sweep);
+    }));
 }
 
 void addAutokick(TourMaker& tour) {

@@ -18,8 +18,8 @@ namespace {
 namespace wire = thunderbots::wire;
 using thunderbots::EventKind;
 
-struct Event {
-    Q_DECLARE_TR_FUNCTIONS(Event)
+struct EventWords {
+    Q_DECLARE_TR_FUNCTIONS(EventWords)
 };
 
 using Text = std::optional<EventText>;
@@ -35,10 +35,10 @@ EventText danger(QString text) {
 }
 
 QString battery(double volts) {
-    return Event::tr("%1 V").arg(volts, 0, 'f', 1);
+    return EventWords::tr("%1 V").arg(volts, 0, 'f', 1);
 }
 QString capacitor(double volts) {
-    return Event::tr("%1 V").arg(volts, 0, 'f', 0);
+    return EventWords::tr("%1 V").arg(volts, 0, 'f', 0);
 }
 QString endpoint(std::int64_t address) {
     return QStringLiteral("0x%1").arg(address & 0xFF, 2, 16, QLatin1Char('0'));
@@ -64,30 +64,31 @@ QString stateText(std::int64_t code) {
 Text linkEvent(const thunderbots::Event& event) {
     switch (event.kind) {
         case EventKind::Connected:
-            return information(Event::tr("connected, all robots told to brake"));
+            return information(EventWords::tr("connected, all robots told to brake"));
         case EventKind::Disconnected:
-            return information(Event::tr("disconnected"));
+            return information(EventWords::tr("disconnected"));
         case EventKind::LinkLost:
             return danger(event.text.empty()
-                              ? Event::tr("link lost: the device was unplugged or is without power")
-                              : Event::tr("link lost: %1").arg(QString::fromStdString(event.text)));
+                              ? EventWords::tr("link lost: the device was unplugged or is without power")
+                              : EventWords::tr("link lost: %1").arg(QString::fromStdString(event.text)));
         case EventKind::LinkFailed:
-            return danger(Event::tr("link failed: %1").arg(reason(event.code, event.text)));
+            return danger(EventWords::tr("link failed: %1").arg(reason(event.code, event.text)));
         case EventKind::Waiting:
-            return information(Event::tr("waiting for a device to be plugged in"));
+            return information(EventWords::tr("waiting for a device to be plugged in"));
         case EventKind::EmergencyStop: {
             const QString text =
-                Event::tr("emergency stop: %1, before: %2")
+                EventWords::tr("emergency stop: %1, before: %2")
                     .arg(stateText<wire::EStop>(event.code), stateText<wire::EStop>(event.previous));
             return event.code == static_cast<int>(wire::EStop::Run) ? information(text) : warning(text);
         }
         case EventKind::Radios: {
-            const QString text = Event::tr("radios: %1").arg(stateText<wire::RadioState>(event.code));
+            const QString text = EventWords::tr("radios: %1").arg(stateText<wire::RadioState>(event.code));
             return event.code > static_cast<int>(wire::RadioState::Running) ? danger(text)
                                                                             : information(text);
         }
         case EventKind::Channels:
-            return information(Event::tr("radio channels: %1 and %2").arg(event.code).arg(event.previous));
+            return information(
+                EventWords::tr("radio channels: %1 and %2").arg(event.code).arg(event.previous));
         default:
             return {};
     }
@@ -96,31 +97,32 @@ Text linkEvent(const thunderbots::Event& event) {
 Text robotEvent(const thunderbots::Event& event) {
     switch (event.kind) {
         case EventKind::RobotFound:
-            return information(Event::tr("heard"));
+            return information(EventWords::tr("heard"));
         case EventKind::RobotLost:
             if (event.value >= wire::kCapacitorLive_V)
-                return danger(
-                    Event::tr("lost with %1 on its capacitor: treat as live").arg(capacitor(event.value)));
-            return warning(Event::tr("lost"));
+                return danger(EventWords::tr("lost with %1 on its capacitor: treat as live")
+                                  .arg(capacitor(event.value)));
+            return warning(EventWords::tr("lost"));
         case EventKind::BatteryLow:
             if (event.code >= 2)
-                return warning(Event::tr("battery at its end: %1").arg(battery(event.value)));
-            return warning(Event::tr("battery low: %1").arg(battery(event.value)));
+                return warning(EventWords::tr("battery at its end: %1").arg(battery(event.value)));
+            return warning(EventWords::tr("battery low: %1").arg(battery(event.value)));
         case EventKind::TestMode: {
             const auto testClass = wire::testClassFromNumber(
                 static_cast<std::uint8_t>(std::clamp<std::int64_t>(event.code, 0, 255)));
-            if (testClass == wire::TestClass::None) return information(Event::tr("test LEDs: normal lights"));
+            if (testClass == wire::TestClass::None)
+                return information(EventWords::tr("test LEDs: normal lights"));
             const QString shown =
                 testClass ? QString::fromLatin1(wire::name(*testClass)) : QString::number(event.code);
             if (!testClass || !wire::targetsOf(*testClass).any())
-                return information(Event::tr("test LEDs: %1").arg(shown));
-            return information(Event::tr("test LEDs: %1 %2").arg(shown).arg(event.previous));
+                return information(EventWords::tr("test LEDs: %1").arg(shown));
+            return information(EventWords::tr("test LEDs: %1 %2").arg(shown).arg(event.previous));
         }
         case EventKind::ExperimentData:
-            return information(Event::tr("experiment data: %1 of 256 bytes known").arg(event.code));
+            return information(EventWords::tr("experiment data: %1 of 256 bytes known").arg(event.code));
         case EventKind::WheelLimit: {
             const QString text =
-                Event::tr("wheel limit ±%1, before: ±%2").arg(event.code).arg(event.previous);
+                EventWords::tr("wheel limit ±%1, before: ±%2").arg(event.code).arg(event.previous);
             return event.code > event.previous ? warning(text) : information(text);
         }
         default:
@@ -129,28 +131,28 @@ Text robotEvent(const thunderbots::Event& event) {
 }
 
 EventText kickGiven(const thunderbots::Event& event) {
-    QString text = Event::tr("kick given to the dongle: %1 / %2 µs").arg(event.code).arg(event.previous);
+    QString text = EventWords::tr("kick given to the dongle: %1 / %2 µs").arg(event.code).arg(event.previous);
     const QString offset_us = QString::number(std::abs(event.value), 'f', 0);
-    if (event.value > 0) text += Event::tr(", solenoid 2 later by %1 µs").arg(offset_us);
-    if (event.value < 0) text += Event::tr(", solenoid 1 later by %1 µs").arg(offset_us);
+    if (event.value > 0) text += EventWords::tr(", solenoid 2 later by %1 µs").arg(offset_us);
+    if (event.value < 0) text += EventWords::tr(", solenoid 1 later by %1 µs").arg(offset_us);
     return information(text);
 }
 
 EventText dischargeEnded(const thunderbots::Event& event) {
-    if (event.code == 0) return information(Event::tr("discharged to %1").arg(capacitor(event.value)));
-    const QString text = Event::tr("discharge broken off at %1: %2")
+    if (event.code == 0) return information(EventWords::tr("discharged to %1").arg(capacitor(event.value)));
+    const QString text = EventWords::tr("discharge broken off at %1: %2")
                              .arg(capacitor(event.value), reason(event.code, event.text));
     if (event.value < wire::kCapacitorLive_V) return warning(text);
-    return danger(Event::tr("%1; treat as live").arg(text));
+    return danger(EventWords::tr("%1; treat as live").arg(text));
 }
 
 EventText kickMeasured(const thunderbots::Event& event) {
     const double before_V = static_cast<double>(event.previous) / 1000;
-    const QString voltages = Event::tr("kick measured: capacitor %1 \u2192 %2")
+    const QString voltages = EventWords::tr("kick measured: capacitor %1 \u2192 %2")
                                  .arg(before_V, 0, 'f', 0)
                                  .arg(capacitor(event.value));
     if (event.code < 0) return information(voltages);
-    return information(Event::tr("%1, charged again in %2 s")
+    return information(EventWords::tr("%1, charged again in %2 s")
                            .arg(voltages)
                            .arg(static_cast<double>(event.code) / 1000, 0, 'f', 1));
 }
@@ -158,26 +160,27 @@ EventText kickMeasured(const thunderbots::Event& event) {
 Text checkEvent(const thunderbots::Event& event) {
     switch (event.kind) {
         case EventKind::CheckStarted:
-            return information(Event::tr("check begun, number of robots: %1").arg(event.code));
+            return information(EventWords::tr("check begun, number of robots: %1").arg(event.code));
         case EventKind::RobotChecked: {
             const auto verdict = static_cast<thunderbots::CheckVerdict>(event.code);
             if (verdict == thunderbots::CheckVerdict::Passed)
-                return information(Event::tr("checked: passed every step"));
-            return warning(Event::tr("checked: %1, steps that did not pass: %2")
+                return information(EventWords::tr("checked: passed every step"));
+            return warning(EventWords::tr("checked: %1, steps that did not pass: %2")
                                .arg(describe(verdict))
                                .arg(event.previous));
         }
         case EventKind::CheckEnded:
-            if (event.code == 0) return information(Event::tr("check done"));
-            return warning(Event::tr("check ended early: %1").arg(reason(event.code, event.text)));
+            if (event.code == 0) return information(EventWords::tr("check done"));
+            return warning(EventWords::tr("check ended early: %1").arg(reason(event.code, event.text)));
         default:
             return {};
     }
 }
 
 EventText sweepEnded(const thunderbots::Event& event) {
-    if (event.code == 0) return information(Event::tr("sweep done, kicks given: %1").arg(event.previous));
-    return warning(Event::tr("sweep ended early, kicks given: %1: %2")
+    if (event.code == 0)
+        return information(EventWords::tr("sweep done, kicks given: %1").arg(event.previous));
+    return warning(EventWords::tr("sweep ended early, kicks given: %1: %2")
                        .arg(event.previous)
                        .arg(reason(event.code, event.text)));
 }
@@ -186,30 +189,31 @@ Text highVoltageEvent(const thunderbots::Event& event) {
     const bool on = event.code != 0;
     switch (event.kind) {
         case EventKind::Charged:
-            return information(Event::tr("capacitor charged: %1").arg(capacitor(event.value)));
+            return information(EventWords::tr("capacitor charged: %1").arg(capacitor(event.value)));
         case EventKind::KickGiven:
             return kickGiven(event);
         case EventKind::KickDropped:
             if (event.code == static_cast<int>(Errc::KickExpired))
-                return warning(Event::tr("kick dropped: the dongle did not take it within 200 ms"));
-            return warning(Event::tr("kick dropped: %1").arg(reason(event.code, event.text)));
+                return warning(EventWords::tr("kick dropped: the dongle did not take it within 200 ms"));
+            return warning(EventWords::tr("kick dropped: %1").arg(reason(event.code, event.text)));
         case EventKind::KickMeasured:
             return kickMeasured(event);
         case EventKind::SweepStarted:
-            return information(Event::tr("sweep begun, kicks to give: %1").arg(event.code));
+            return information(EventWords::tr("sweep begun, kicks to give: %1").arg(event.code));
         case EventKind::SweepEnded:
             return sweepEnded(event);
         case EventKind::Autokick:
-            return information(Event::tr("autokick fired, number %1").arg(event.code));
+            return information(EventWords::tr("autokick fired, number %1").arg(event.code));
         case EventKind::AutokickArmed:
-            return on ? warning(Event::tr("autokick armed")) : information(Event::tr("autokick disarmed"));
+            return on ? warning(EventWords::tr("autokick armed"))
+                      : information(EventWords::tr("autokick disarmed"));
         case EventKind::Charger:
-            return information(on ? Event::tr("charger on") : Event::tr("charger off"));
+            return information(on ? EventWords::tr("charger on") : EventWords::tr("charger off"));
         case EventKind::HighVoltage:
-            return on ? warning(Event::tr("high voltage armed"))
-                      : information(Event::tr("high voltage disarmed"));
+            return on ? warning(EventWords::tr("high voltage armed"))
+                      : information(EventWords::tr("high voltage disarmed"));
         case EventKind::DischargeStarted:
-            return information(Event::tr("discharging from %1").arg(capacitor(event.value)));
+            return information(EventWords::tr("discharging from %1").arg(capacitor(event.value)));
         case EventKind::DischargeEnded:
             return dischargeEnded(event);
         default:
@@ -225,26 +229,26 @@ QString faultText(std::int64_t code) {
 EventText troubleEvent(const thunderbots::Event& event) {
     switch (event.kind) {
         case EventKind::DongleFault:
-            return warning(Event::tr("the dongle reports: %1").arg(faultText(event.code)));
+            return warning(EventWords::tr("the dongle reports: %1").arg(faultText(event.code)));
         case EventKind::DongleText:
-            return information(Event::tr("the dongle says: %1").arg(printable(event.text)));
+            return information(EventWords::tr("the dongle says: %1").arg(printable(event.text)));
         case EventKind::Malformed:
-            return warning(Event::tr("unreadable data on endpoint %1, number of times %2: %3")
+            return warning(EventWords::tr("unreadable data on endpoint %1, number of times %2: %3")
                                .arg(endpoint(event.code))
                                .arg(event.value, 0, 'f', 0)
                                .arg(printable(event.text)));
         case EventKind::Stalled:
-            return warning(Event::tr("endpoint %1 stalled, in a row: %2")
+            return warning(EventWords::tr("endpoint %1 stalled, in a row: %2")
                                .arg(endpoint(event.code))
                                .arg(event.value, 0, 'f', 0));
         default:
-            return warning(Event::tr("something that this program has no words for"));
+            return warning(EventWords::tr("something that this program has no words for"));
     }
 }
 
 EventText textOf(const thunderbots::Event& event) {
-    for (const auto& group : {linkEvent, robotEvent, highVoltageEvent, checkEvent, describeParameterEvent,
-                              describeFlashEvent}) {
+    for (const auto& group :
+         {linkEvent, robotEvent, highVoltageEvent, checkEvent, describeParameterEvent, describeFlashEvent}) {
         if (auto text = group(event)) return *std::move(text);
     }
     return troubleEvent(event);
@@ -253,16 +257,17 @@ EventText textOf(const thunderbots::Event& event) {
 EventText textOf(const EngineNote& note) {
     switch (note.kind) {
         case EngineNote::Kind::Stopped:
-            return danger(Event::tr("STOP: %1").arg(describe(note.reason)));
+            return danger(EventWords::tr("STOP: %1").arg(describe(note.reason)));
         case EngineNote::Kind::Rearmed:
-            return warning(Event::tr("re-armed: robots can move again"));
+            return warning(EventWords::tr("re-armed: robots can move again"));
         case EngineNote::Kind::AnswersLost:
-            return warning(Event::tr("answers to commands that nobody fetched in time and that are lost: %1")
-                               .arg(note.count));
+            return warning(
+                EventWords::tr("answers to commands that nobody fetched in time and that are lost: %1")
+                    .arg(note.count));
         case EngineNote::Kind::SessionOpened:
-            return information(Event::tr("session opened: %1").arg(printable(note.text)));
+            return information(EventWords::tr("session opened: %1").arg(printable(note.text)));
         case EngineNote::Kind::SessionClosed:
-            return information(Event::tr("session closed"));
+            return information(EventWords::tr("session closed"));
     }
     return troubleEvent({});
 }

@@ -34,7 +34,8 @@ HighVoltageBox::HighVoltageBox(const QString& owner, QWidget* parent)
           tr("Arm high voltage"), nameOf(owner, QStringLiteral("arm")),
           tr("Charging, kicking and discharging need this. Disarming switches the charger and autokick off."),
           this)),
-      charger_(toggle(tr("Charger"), nameOf(owner, QStringLiteral("charger")), tr("Charges the kicker's capacitor to 219 V."), this)),
+      charger_(toggle(tr("Charger"), nameOf(owner, QStringLiteral("charger")),
+                      tr("Charges the kicker's capacitor to 219 V."), this)),
       discharge_(
           toggle(tr("Discharge"), nameOf(owner, QStringLiteral("discharge")),
                  tr("Empties the capacitor with pulses of 96 \u00b5s until 25 V. Take the ball away first."),

@@ -69,7 +69,7 @@ const char* csvName(KickCause cause) {
 }
 
 const char* csvName(KickMeasure measure) {
-    constexpr std::array names{"waiting",       "recharging",      "recharged",   "no-drop",
+    constexpr std::array names{"waiting",       "recharging",   "recharged",   "no-drop",
                                "not-recharged", "kicked-again", "not-measured"};
     return names.at(static_cast<std::size_t>(measure));
 }

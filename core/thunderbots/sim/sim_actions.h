@@ -7,8 +7,9 @@ namespace kickstand::thunderbots::sim {
 
 /// What a hand can do to the simulated robots and their dongle or cable. Robots are named by the number that
 /// they came into being with. For a robot: `ball`, `battery`, `capacitor`, `temperature`, `dead-wheels`,
-/// `broken-charger`, `dead` (0 switches a robot on that was off or locked out), `experiment`. For both devices: `plugged`, `stall`, `error`. For a
-/// dongle: `e-stop`, `radio-failure`, `loss`, `duplicate`, `delay`.
+/// `broken-charger`, `dead` (0 switches a robot on that was off or locked out), `experiment`. For both
+/// devices: `plugged`, `stall`, `error`. For a dongle: `e-stop`, `radio-failure`, `loss`, `duplicate`,
+/// `delay`.
 class SimActions final : public SimControl {
   public:
     /// `world` must outlive it.
