@@ -41,7 +41,7 @@ void FlashUploader::contentsReadBack(const Response& response) {
 }
 
 void FlashUploader::commitContents() {
-    if (const auto may = around_.mayChange(robot_); !may) return failed(may.error());
+    if (!mayDo(&FlashUploader::commitContents)) return;
     progress_.left = FlashLeft::Activated;
     ask(wire::CommitParametersRequest{}, &FlashUploader::contentsCommitted);
 }
@@ -52,7 +52,7 @@ void FlashUploader::contentsCommitted(const Response&) {
 }
 
 void FlashUploader::reboot() {
-    if (const auto may = around_.mayChange(robot_); !may) return failed(may.error());
+    if (!mayDo(&FlashUploader::reboot)) return;
     setStage(FlashStage::Rebooting);
     progress_.left = FlashLeft::Rebooted;
     away_ = false;

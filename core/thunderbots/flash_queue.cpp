@@ -12,9 +12,14 @@ constexpr Duration kTickEvery = std::chrono::milliseconds(100);
 
 FlashQueue::FlashQueue(Scheduler& scheduler, RobotRequests& requests,
                        std::function<Result<void>(int robot)> mayChange, std::function<bool()> onCable,
-                       Ended ended)
-    : around_{scheduler,       requests, std::move(mayChange), std::move(onCable), [this] { ++version_; },
-              std::move(ended)} {}
+                       std::function<void(int robot)> paused, Ended ended)
+    : around_{.scheduler = scheduler,
+              .requests = requests,
+              .mayChange = std::move(mayChange),
+              .onCable = std::move(onCable),
+              .changed = [this] { ++version_; },
+              .paused = std::move(paused),
+              .ended = std::move(ended)} {}
 
 void FlashQueue::start(int robot, std::vector<SharedFlashPlan> plans) {
     at(robot) = std::make_unique<FlashUploader>(robot, std::move(plans), around_);

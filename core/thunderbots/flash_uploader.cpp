@@ -67,7 +67,7 @@ void FlashUploader::contentsRead(const Response& response) {
 
 void FlashUploader::markNoData() {
     setStage(FlashStage::Marking);
-    if (const auto may = around_.mayChange(robot_); !may) return failed(may.error());
+    if (!mayDo(&FlashUploader::markNoData)) return;
     parameters_.flashContents = static_cast<std::uint8_t>(wire::FlashContents::NoData);
     ask(wire::SetParametersRequest{parameters_}, &FlashUploader::noDataSet);
 }
@@ -125,7 +125,7 @@ void FlashUploader::verified() {
 
 void FlashUploader::erase() {
     setStage(FlashStage::Erasing);
-    if (const auto may = around_.mayChange(robot_); !may) return failed(may.error());
+    if (!mayDo(&FlashUploader::erase)) return;
     progress_.attempt = ++progress_.erases;
     progress_.left = FlashLeft::NoData;
     note(FlashNote::Erasing, progress_.erases);
@@ -244,11 +244,24 @@ void FlashUploader::change(Step step) {
     }
 }
 
+bool FlashUploader::mayDo(Step step) {
+    const auto may = around_.mayChange(robot_);
+    if (may) return true;
+    if (may.error().code == Errc::StopLatched) {
+        pause();
+        held_ = step;
+    } else {
+        failed(may.error());
+    }
+    return false;
+}
+
 void FlashUploader::pause() {
     if (!running() || pausing_) return;
     pausing_ = true;
     progress_.paused = true;
     note(FlashNote::Paused);
+    around_.paused(robot_);
 }
 
 void FlashUploader::resume() {

@@ -20,6 +20,8 @@ struct FlashSurroundings {
     /// Whether the robot is on a cable, whose device goes away with the robot.
     std::function<bool()> onCable;
     std::function<void()> changed;
+    /// STOP has paused an upload.
+    std::function<void(int robot)> paused;
     std::function<void(int robot, const FlashProgress& progress)> ended;
 };
 
@@ -105,6 +107,9 @@ class FlashUploader {
     void failed(const Error& error);
     /// Does a step that changes something in the robot: now, or when it is resumed.
     void change(Step step);
+    /// Whether the robot is fit for a step. Where it is not the upload fails; where STOP was pressed a moment
+    /// ago it pauses, and a resume does the step.
+    bool mayDo(Step step);
     void setStage(FlashStage stage, std::uint32_t total_B = 0);
     void note(FlashNote note, std::int64_t a = 0, std::int64_t b = 0);
     void showRate();

@@ -29,6 +29,7 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
           host_.scheduler, requests_,
           [this](int robot) { return checkAtRest(robot, flashOptions_[static_cast<std::size_t>(robot)]); },
           [this] { return controller_.isCable(); },
+          [this](int robot) { raise(EventKind::FlashPaused, robot); },
           [this](int robot, const FlashProgress& progress) { flashEnded(robot, progress); }) {
     link_.addObserver(&model_);
     controller_.setMessageListener([this](ByteView packet) { requests_.received(packet); });
@@ -109,7 +110,7 @@ void Session::robotLost(int robot, TimePoint time) {
 void Session::halt() {
     controller_.messages().dropKicks(Errc::StopLatched);
     haltDrivers();
-    if (host_.stop.isSet()) pauseFlash();
+    if (host_.stop.isSet()) flash_.pause();
     if (controller_.state() == LinkState::Running) controller_.stateTransport().brakeAll();
 }
 

@@ -80,7 +80,6 @@ class Session {
     Result<void> checkStartFlash(int robot) const;
     /// Whether a robot that is being flashed may be erased or rebooted.
     Result<void> checkAtRest(int robot, const FlashOptions& options) const;
-    void pauseFlash();
     /// Whether the cable that was lost belongs to a robot that was told to reboot: nothing is wrong then.
     bool wentWithItsRobot() const;
     void flashEnded(int robot, const FlashProgress& progress);

@@ -118,13 +118,6 @@ bool Session::wentWithItsRobot() const {
     return false;
 }
 
-void Session::pauseFlash() {
-    for (int robot = 0; robot < kRobots; ++robot) {
-        if (flash_.running(robot) && !flash_.progress(robot)->paused) raise(EventKind::FlashPaused, robot);
-    }
-    flash_.pause();
-}
-
 void Session::flashEnded(int robot, const FlashProgress& progress) {
     host_.event(Event{EventKind::FlashEnded,
                       host_.scheduler.now(),

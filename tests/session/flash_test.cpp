@@ -178,6 +178,29 @@ TEST_F(Flash, SendsNoRebootAfterStop) {
     EXPECT_EQ(progress(0).left, FlashLeft::NoData);
 }
 
+TEST_F(Flash, AStopThatNobodyHasSeenYetPausesToo) {
+    const auto plan = densePlan(2, kFpga);
+    // Pressed on another thread, just when the robot is about to be told to reboot.
+    judge = [this](const PassingMessage& message) {
+        const bool committed = message.direction == Direction::In &&
+                               message.packet[1] == static_cast<std::uint8_t>(FirmwareOp::CommitParameters) &&
+                               contents(0) != kNoDataByte;
+        if (committed) rig.flows().stop.set(StopReason::Person);
+        return MessageFate{};
+    };
+    ASSERT_TRUE(start(maskOf(0), {plan}));
+    ASSERT_TRUE(rig.waitUntil([this] { return rig.flows().stop.isSet(); }, 30s));
+    rig.advance(30s);
+    EXPECT_TRUE(progress(0).paused);
+    EXPECT_EQ(rig.count(EventKind::FlashPaused), 1U);
+    EXPECT_EQ(countOf(0, FirmwareOp::Reboot), 0U);
+    judge = {};
+    rig.rearm();
+    ASSERT_TRUE(rig.ask(ResumeFlash{maskOf(0)}));
+    EXPECT_EQ(waitForEnd(0).stage, FlashStage::Done);
+    EXPECT_TRUE(holds(0, *plan));
+}
+
 TEST_F(Flash, CancelEndsItAtOnceAndSaysWhatIsLeft) {
     ASSERT_TRUE(start(maskOf(0), {densePlan(60, kFpga)}));
     ASSERT_TRUE(waitForStage(0, FlashStage::Erasing));
