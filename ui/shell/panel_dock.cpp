@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QScrollArea>
 #include <utility>
 
 #include "ui/shell/panel.h"
@@ -15,6 +16,9 @@ namespace {
 
 constexpr int kHeaderHeight = 36;
 constexpr int kHeaderFontSize = 12;
+/// What there is for a panel in the middle of the smallest window, 1280 × 800.
+constexpr int kMostLeastWidth = 600;
+constexpr int kMostLeastHeight = 250;
 
 /// A dock takes its title's height from the size hint alone.
 class PanelHeader final : public QWidget {
@@ -22,6 +26,29 @@ class PanelHeader final : public QWidget {
     using QWidget::QWidget;
     QSize sizeHint() const override { return {QWidget::sizeHint().width(), kHeaderHeight}; }
     QSize minimumSizeHint() const override { return {0, kHeaderHeight}; }
+};
+
+/// Gives a panel the least room that it asks for, up to a bound: one that wants more can be scrolled, and
+/// never pushes the others aside.
+class PanelScroll final : public QScrollArea {
+  public:
+    explicit PanelScroll(QWidget* parent) : QScrollArea(parent) {
+        setFrameShape(QFrame::NoFrame);
+        setWidgetResizable(true);
+        setFocusPolicy(Qt::NoFocus);
+    }
+    QSize sizeHint() const override { return widget() == nullptr ? QSize() : widget()->sizeHint(); }
+    QSize minimumSizeHint() const override {
+        if (widget() == nullptr) return {};
+        const QSize least = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
+        return least.boundedTo({kMostLeastWidth, kMostLeastHeight});
+    }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+        return QScrollArea::eventFilter(watched, event);
+    }
 };
 
 }  // namespace
@@ -61,7 +88,11 @@ void PanelDock::makePanel() {
         note->setText(text);
         note->setVisible(!text.isEmpty());
     });
-    setWidget(panel_);
+    auto* scroll = new PanelScroll(this);
+    scroll->setWidget(panel_);
+    scroll->viewport()->setAutoFillBackground(false);
+    panel_->setAutoFillBackground(false);
+    setWidget(scroll);
 }
 
 void PanelDock::paintEvent(QPaintEvent*) {

@@ -44,6 +44,7 @@ void Workbench::addPanels() {
     }
     addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md#events"),
               PanelPlace::Bottom, [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
+    docks_.back()->setMinimumHeight(kLeastEventsHeight);
     addPanel({QStringLiteral("simulated"), tr("Simulated robots"),
               QStringLiteral("bench-guide.md#simulated-robots"), PanelPlace::Work,
               [](Bench& bench) -> Panel* { return new SimPanel(bench); }});
