@@ -52,10 +52,7 @@ void addProof(TourMaker& tour) {
     tour.show("parameters-applied", tour.press("parameterApply"), stands(tour, ParameterStanding::Applied));
     tour.show("parameters-committed", tour.press("parameterCommit"),
               stands(tour, ParameterStanding::Committed));
-    tour.show("parameters-rebooting", tour.press("parameterReboot"),
-              tour.when([](const Snapshot& snapshot) { return !snapshot.robots[kDischarged].live; }));
-    tour.add(
-        "parameters-back", [] {}, stands(tour, ParameterStanding::Proven));
+    tour.add("parameters-reboot", tour.press("parameterReboot"), stands(tour, ParameterStanding::Proven));
     tour.add("parameters-reset", tour.press("parameterReset"));
     tour.add("parameters-history", tour.press("parameterHistoryPage"));
     tour.show("parameters-earlier", [window = tour.window()] {

@@ -86,8 +86,7 @@ class Work {
         int next = kept && kept->robotNumber < thunderbots::kRobots ? kept->robotNumber : robot_;
         if (runner_.robot(next).live) next = robot_;
         if (auto done = ask(thunderbots::RebootRobot{robot_, discard}); !done) return done;
-        if (auto gone = await([this] { return !runner_.robot(robot_).live; }, kRebootLimit, robot_); !gone)
-            return gone;
+        if (auto gone = await([this] { return hasGone(); }, kRebootLimit, robot_); !gone) return gone;
         const auto isBack = [this, next] { return runner_.robot(next).live || runner_.robot(robot_).live; };
         if (auto back = await(isBack, kRebootLimit, next); !back) return back;
         if (!runner_.robot(robot_).live) robot_ = next;
@@ -125,6 +124,13 @@ class Work {
         if (!came) return tl::unexpected(came.error());
         if (!*came) return failed({.code = Errc::TimedOut, .robot = robot});
         return {};
+    }
+
+    /// Whether the robot has been lost since it was told to reboot. It may be heard again already.
+    bool hasGone() const {
+        using thunderbots::ParameterStanding;
+        const ParameterStanding standing = state().standing;
+        return standing == ParameterStanding::Unread || standing >= ParameterStanding::Rebooted;
     }
 
     Outcome checkWarnings(const thunderbots::wire::OperationalParameters& block, ParameterStep step) {

@@ -198,7 +198,7 @@ TEST_F(ParametersTest, WhatIsCommittedIsProvenByAReboot) {
     ASSERT_TRUE(waitForState("Committed, unproven until the next reboot"));
     EXPECT_EQ(lastRequest(7), Message{7});
     ASSERT_TRUE(press("parameterReboot"));
-    ASSERT_TRUE(waitUntil([this] { return !rig.snapshot()->robots[kRobot].live; }));
+    ASSERT_TRUE(waitUntil([this] { return known().standing >= ParameterStanding::Rebooted; }));
     EXPECT_EQ(lastRequest(8), Message{8});
     ASSERT_TRUE(waitForState("Proven: read after a reboot"));
     EXPECT_EQ(known().robot->dribblerDuty, 77);
@@ -214,7 +214,7 @@ TEST_F(ParametersTest, ARebootThatLosesWhatWasAppliedIsAskedAbout) {
     ASSERT_NE(question(), nullptr);
     EXPECT_TRUE(question()->informativeText().contains(QStringLiteral("not committed is lost")));
     rig.click(QStringLiteral("parameterYes"));
-    ASSERT_TRUE(waitUntil([this] { return !rig.snapshot()->robots[kRobot].live; }));
+    ASSERT_TRUE(waitUntil([this] { return known().standing == ParameterStanding::Unread; }));
 }
 
 TEST_F(ParametersTest, AFileStandsBesideTheDraftAndIsTakenOver) {

@@ -58,7 +58,7 @@ ParametersGrid::ParametersGrid(QWidget* parent) : QWidget(parent) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(metrics::kGap);
-    grid->setVerticalSpacing(4);
+    grid->setVerticalSpacing(2);
     addHeader(grid);
     for (const ParameterField field : kParameterFields)
         addRow(grid, field);
@@ -86,6 +86,12 @@ void ParametersGrid::addHeader(QGridLayout* grid) {
     otherTitle_->setObjectName(QStringLiteral("otherTitle"));
     otherTitle_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     grid->addWidget(otherTitle_, 0, kOther);
+    takeAll_ = new QToolButton(this);
+    takeAll_->setObjectName(QStringLiteral("parameterTakeAll"));
+    takeAll_->setText(tr("\u2190 all"));
+    takeAll_->setToolTip(tr("Takes the third column over into the draft, but for the flash contents."));
+    connect(takeAll_, &QToolButton::clicked, this, &ParametersGrid::takeAllAsked);
+    grid->addWidget(takeAll_, 0, kTake);
 }
 
 void ParametersGrid::addRow(QGridLayout* grid, ParameterField field) {
@@ -126,6 +132,7 @@ void ParametersGrid::showValues(const ParameterDraft& draft, const ParameterValu
     const ParameterMask before = std::exchange(changes_, draft.changes());
     otherTitle_->setText(otherTitle);
     otherTitle_->setToolTip(otherTitle);
+    takeAll_->setEnabled(editable && other != ParameterValues{});
     for (const ParameterField field : kParameterFields) {
         const bool changed = contains(changes_, field);
         const QSignalBlocker blocker(row(field).tick);

@@ -31,6 +31,8 @@ class ParametersGrid final : public QWidget {
     void edited(thunderbots::ParameterField field, std::uint8_t value, bool goesOn);
     /// One field is to be taken over from the third column.
     void takeAsked(thunderbots::ParameterField field);
+    /// All of them are, but for the flash contents.
+    void takeAllAsked();
     void ticksChanged();
 
   protected:
@@ -55,6 +57,7 @@ class ParametersGrid final : public QWidget {
 
     std::array<Row, thunderbots::kParameterFieldCount> rows_;
     QLabel* otherTitle_ = nullptr;
+    QToolButton* takeAll_ = nullptr;
     thunderbots::ParameterMask changes_ = 0;
 };
 

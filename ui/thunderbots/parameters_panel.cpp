@@ -94,9 +94,8 @@ QWidget* ParametersPanel::makeDraft() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(metrics::kGap);
     column->addWidget(grid_);
-    column->addWidget(makeEdits());
-    column->addWidget(state_);
     column->addWidget(makeSteps());
+    column->addWidget(state_);
     column->addWidget(notice_);
     column->addStretch(1);
     return box;
@@ -125,13 +124,9 @@ QWidget* ParametersPanel::headerTools() {
     return tools;
 }
 
-QWidget* ParametersPanel::makeEdits() {
-    auto* box = new QWidget(this);
-    auto* row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(metrics::kGap);
-    const auto add = [this, row, box](const QString& text, const char* name, const QKeySequence& key,
-                                      const QString& tip) {
+void ParametersPanel::addEdits(QHBoxLayout& row) {
+    const auto add = [this, &row](const QString& text, const char* name, const QKeySequence& key,
+                                  const QString& tip) {
         auto* action = new QAction(text, this);
         action->setObjectName(QString::fromLatin1(name) + QStringLiteral("Action"));
         action->setShortcut(key);
@@ -139,21 +134,16 @@ QWidget* ParametersPanel::makeEdits() {
         addAction(action);
         const QString keys = key.toString(QKeySequence::NativeText);
         QPushButton* button =
-            makeButton(text, name, keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys), box);
+            makeButton(text, name, keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys), this);
         connect(button, &QPushButton::clicked, action, &QAction::trigger);
         connect(action, &QAction::enabledChanged, button, &QPushButton::setEnabled);
-        row->addWidget(button);
+        row.addWidget(button);
         return action;
     };
     undo_ = add(tr("Undo"), "parameterUndo", QKeySequence::Undo, tr("Takes the last step back"));
     redo_ = add(tr("Redo"), "parameterRedo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
                 tr("Takes the step again"));
     reset_ = add(tr("Reset"), "parameterReset", {}, tr("Back to what the robot has"));
-    take_ = makeButton(tr("\u2190 Take all"), "parameterTakeAll",
-                       tr("Takes the third column over into the draft, but for the flash contents."), box);
-    row->addWidget(take_);
-    row->addStretch(1);
-    return box;
 }
 
 QWidget* ParametersPanel::makeSteps() {
@@ -173,6 +163,7 @@ QWidget* ParametersPanel::makeSteps() {
         row->addWidget(button);
     setButtonRole(apply_, ButtonRole::Primary);
     row->addStretch(1);
+    addEdits(*row);
     return box;
 }
 
@@ -187,7 +178,7 @@ void ParametersPanel::connectAll() {
         refresh();
     });
     connect(grid_, &ParametersGrid::ticksChanged, this, &ParametersPanel::refresh);
-    connect(take_, &QPushButton::clicked, this, [this] {
+    connect(grid_, &ParametersGrid::takeAllAsked, this, [this] {
         draft().take(other().values, kSettings);
         refresh();
     });
@@ -310,7 +301,6 @@ void ParametersPanel::showEdits() {
     undo_->setEnabled(editable && draft().canUndo());
     redo_->setEnabled(editable && draft().canRedo());
     reset_->setEnabled(editable && draft().changes() != 0);
-    take_->setEnabled(editable && other().values != ParameterValues{});
 }
 
 void ParametersPanel::ask(const thunderbots::Command& command) {

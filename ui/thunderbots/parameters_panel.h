@@ -9,6 +9,7 @@
 #include "ui/shell/panel.h"
 
 class QAction;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedLayout;
@@ -49,7 +50,7 @@ class ParametersPanel final : public Panel {
 
     QWidget* makeDraft();
     QWidget* makeSteps();
-    QWidget* makeEdits();
+    void addEdits(QHBoxLayout& row);
     void connectAll();
     void refresh();
     void takeReadings(const thunderbots::Snapshot* snapshot);
@@ -93,7 +94,6 @@ class ParametersPanel final : public Panel {
     QPushButton* apply_;
     QPushButton* commit_;
     QPushButton* reboot_;
-    QPushButton* take_;
     QAction* undo_;
     QAction* redo_;
     QAction* reset_;
