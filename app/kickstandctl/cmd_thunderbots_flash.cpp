@@ -69,7 +69,7 @@ class Flashing {
         start.options.capacitorUnknown = context_.invocation.has("--discharged");
         started_ = true;
         // A robot that is refused keeps no other one from its upload.
-        const Outcome begun = runner_.perform(start);
+        Outcome begun = runner_.perform(start);
         const auto ended = runner_.waitUntil([this] { return look(); }, kUploadLimit);
         if (!ended) return tl::unexpected(ended.error());
         if (!begun) return begun;

@@ -312,7 +312,7 @@ TEST_F(RobotRequestsTest, ALossLongAfterARebootIsASurpriseAgain) {
     takenOne();
     respond(0, wire::RebootResponse{});
     EXPECT_TRUE(requests.rebooting(0));
-    scheduler.advance(11s);
+    scheduler.advance(21s);
     EXPECT_FALSE(requests.rebooting(0));
 }
 
