@@ -46,7 +46,8 @@ Expected<FirmwareFile> readFile(const std::string& path, std::optional<image::Fl
                          static_cast<std::size_t>(content.size()));
     auto read = image::readImage(path, bytes);
     if (!read) return refusedFile(firmware.name, read.error());
-    auto settled = image::forTarget(*std::move(read), target.value_or(read->guess.target));
+    const image::FlashTarget wanted = target.value_or(read->guess.target);
+    auto settled = image::forTarget(*std::move(read), wanted);
     if (!settled) return refusedFile(firmware.name, settled.error());
     firmware.plan = std::make_shared<const thunderbots::FlashPlan>(*std::move(settled));
     return firmware;
