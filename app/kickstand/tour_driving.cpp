@@ -77,6 +77,8 @@ void addSmallSteps(TourMaker& tour) {
     tour.show("small-busy", tour.goTo("drive"));
     tour.show("small-gamepad", tour.goTo("gamepad"));
     tour.show("small-checks", tour.goTo("checks"));
+    tour.show("small-firmware", tour.goTo("firmware"));
+    tour.show("small-parameters", tour.goTo("parameters"));
     tour.add("small-kick-panel", tour.goTo("kick"));
     tour.show("small-kick", tour.goTo("kicks"));
     tour.show("small-experiment", tour.goTo("experiment"));

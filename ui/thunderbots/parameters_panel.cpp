@@ -292,6 +292,7 @@ void ParametersPanel::showNotice(const Snapshot* snapshot, const QString& reason
     if (text.isEmpty() && snapshot != nullptr)
         text = reasonNotToReboot(*snapshot, robot_, bench().client().isStopped());
     notice_->setText(text);
+    notice_->setVisible(!text.isEmpty());
     notice_->setForegroundRole(text == refusal_ && !text.isEmpty() ? QPalette::WindowText
                                                                    : QPalette::PlaceholderText);
 }
