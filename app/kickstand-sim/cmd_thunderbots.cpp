@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "app/kickstand-sim/families.h"
@@ -15,19 +16,38 @@ using thunderbots::sim::ThunderbotsSimOptions;
 
 /// Options of the simulator itself, and what they are called in a link: both mean the same, and are judged in
 /// one place.
-constexpr std::array<std::pair<const char*, const char*>, 5> kSimOptions{{{"--robots", "robots"},
-                                                                          {"--radio", "radio"},
-                                                                          {"--loss", "loss"},
-                                                                          {"--seed", "seed"},
-                                                                          {"--cable", "cable"}}};
+struct SimOption {
+    const char* option;
+    const char* name;
+    const char* accepted;
+};
+constexpr std::array<SimOption, 5> kSimOptions{
+    {{"--robots", "robots", QT_TRANSLATE_NOOP("kickstand-sim", "Numbers from 0 to 15, as in 0,3,5-7.")},
+     {"--radio", "radio", QT_TRANSLATE_NOOP("kickstand-sim", "One of: true, ideal.")},
+     {"--loss", "loss", QT_TRANSLATE_NOOP("kickstand-sim", "A share from 0 to 1, as in 0.05.")},
+     {"--seed", "seed", QT_TRANSLATE_NOOP("kickstand-sim", "A whole number from 0 on.")},
+     {"--cable", "cable", QT_TRANSLATE_NOOP("kickstand-sim", "The robot's number, 0 to 15.")}}};
+
+/// What was wrong with an option of the simulation, under the name by which it was given.
+ctl::Failure explain(Error error, const Invocation& given) {
+    const auto* const found =
+        std::find_if(kSimOptions.begin(), kSimOptions.end(),
+                     [&error](const SimOption& known) { return error.subject == known.name; });
+    if (found != kSimOptions.end()) error.subject = found->option;
+    ctl::Failure failure = ctl::refusedInput(error).value();
+    // What cannot go together is told by the error itself.
+    const bool unreadable = found != kSimOptions.end() && error.detail == given.text(found->option);
+    if (unreadable) failure.text.remedy = Words::tr(found->accepted);
+    return failure;
+}
 
 ctl::Expected<ThunderbotsSimOptions> readSimulation(const Invocation& invocation) {
     LinkUri uri{.scheme = "sim", .target = "thunderbots", .options = {}};
-    for (const auto& [option, name] : kSimOptions) {
+    for (const auto& [option, name, accepted] : kSimOptions) {
         if (invocation.has(option)) uri.options[name] = invocation.text(option);
     }
     auto options = thunderbots::sim::parseSimOptions(uri);
-    if (!options) return ctl::refusedInput(options.error());
+    if (!options) return tl::unexpected(explain(options.error(), invocation));
     return *options;
 }
 

@@ -16,7 +16,7 @@ namespace {
 ctl::Failure explainControl(const Error& error, const std::string& path) {
     ctl::Failure failure = ctl::failed(error).value();
     const QString shown = printable(path);
-    if (error.code == Errc::ClaimedElsewhere) {
+    if (error.code == Errc::ClaimedElsewhere && error.detail.empty()) {
         failure.text = {Words::tr("Another simulator has its control socket at %1.").arg(shown),
                         Words::tr("End that one, or name another place with --control PATH."),
                         {}};

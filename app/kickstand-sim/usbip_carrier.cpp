@@ -81,6 +81,7 @@ QJsonObject UsbipCarrier::report() const {
             {QStringLiteral("connections"), static_cast<qint64>(report.connections)},
             {QStringLiteral("refused"), static_cast<qint64>(report.refused)},
             {QStringLiteral("malformed"), static_cast<qint64>(report.malformed)},
+            {QStringLiteral("overrun"), static_cast<qint64>(report.overrun)},
             {QStringLiteral("imports"), static_cast<qint64>(report.imports)},
             {QStringLiteral("transfers"), static_cast<qint64>(report.transfers)},
             {QStringLiteral("unlinked"), static_cast<qint64>(report.unlinked)}};

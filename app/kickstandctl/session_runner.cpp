@@ -104,12 +104,7 @@ Outcome SessionRunner::connect(const LinkUri& uri) {
     if (refusal) return refusedInput(*refusal);
     if (!*decided) return failed(errorOf(Errc::TimedOut, toString(uri)));
     if (state().error) return failed(*state().error);
-    if (state().link != LinkState::Running) {
-        Error error = errorOf(Errc::NoDevice, toString(uri));
-        // On a server it may be another thing that is missing.
-        if (uri.scheme == "usbip") error.detail = "nobody serves it there";
-        return failed(std::move(error));
-    }
+    if (state().link != LinkState::Running) return failed(errorOf(Errc::NoDevice, toString(uri)));
     running_ = true;
     return {};
 }

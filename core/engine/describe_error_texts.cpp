@@ -73,7 +73,9 @@ constexpr ErrorText kInput[] = {
 constexpr ErrorText kDevices[] = {
     {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "There is no device at {subject}: {detail}."),
      QT_TRANSLATE_NOOP(
-         "Error", "Start what serves it (kickstand-sim, or usbipd on that machine), or check the address.")},
+         "Error",
+         "See that it is plugged in there and that its server runs (kickstand-sim, or usbipd on that "
+         "machine), or check the address.")},
     {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "No dongle or cabled robot is plugged in[ ({subject})]."),
      QT_TRANSLATE_NOOP("Error", "Plug one in, or try a simulated one: sim:thunderbots.")},
     {Errc::SeveralDevices,
@@ -83,9 +85,10 @@ constexpr ErrorText kDevices[] = {
     {Errc::PermissionDenied,
      QT_TRANSLATE_NOOP("Error", "The dongle is there[ ({subject})], but this user may not open it."),
      QT_TRANSLATE_NOOP("Error", "Install the udev rule:"), kInstallUdevRule},
+    {Errc::ClaimedElsewhere, QT_TRANSLATE_NOOP("Error", "The device at {subject} is in use: {detail}."),
+     QT_TRANSLATE_NOOP("Error", "Close the program that has it, here or on another machine.")},
     {Errc::ClaimedElsewhere,
-     QT_TRANSLATE_NOOP("Error",
-                       "The dongle is there[ ({subject})], but another program holds it[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "The dongle is there[ ({subject})], but another program holds it."),
      QT_TRANSLATE_NOOP("Error", "Close that program; `kickstandctl doctor` says which one it is.")},
     {Errc::Disconnected,
      QT_TRANSLATE_NOOP("Error", "The device is gone: unplugged, or without power[ ({subject})]."),

@@ -90,6 +90,8 @@ void DongleController::opened(std::uint64_t attempt, Result<UsbDeviceInfo> resul
                 openLink();
                 return;
             }
+            // Why, where more is known than that there is none.
+            if (!result.error().detail.empty()) error_ = std::move(result.error());
             setState(LinkState::Searching);
             return;
         }

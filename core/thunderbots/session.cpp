@@ -144,7 +144,9 @@ void Session::stateChanged() {
         if (checker_.running()) endCheck(Errc::Disconnected);
         resetConnection();
         if (!wentWithItsRobot()) host_.stop.set(StopReason::LinkLost);
-        raise(EventKind::LinkLost, -1, 0, 0, link_.health().lostBecause);
+        const bool gone = state == LinkState::Searching;
+        raise(EventKind::LinkLost, -1, 0, 0,
+              gone ? link_.health().lostBecause : "the device is there, and failed");
     }
     if (state == LinkState::Running) {
         ++connections_;

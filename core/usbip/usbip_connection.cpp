@@ -114,7 +114,8 @@ Parse UsbipConnection::takeCommand(ByteView bytes) {
 
 void UsbipConnection::listDevices() {
     send(usbip::encodeDeviceList(hall_.exports.present()));
-    end("asked for the list");
+    // Whoever waits for a device asks for the list again and again: nothing to tell of.
+    end({});
 }
 
 void UsbipConnection::import(const std::string& busId) {
@@ -127,8 +128,8 @@ void UsbipConnection::import(const std::string& busId) {
     }
     if (status != OpStatus::Ok) {
         send(usbip::encodeImportReply(status, {}));
-        return end(status == OpStatus::Busy ? "asked for a device that another client has"
-                                            : "asked for a device that is not there");
+        // Likewise whoever waits for one that is in use.
+        return end(status == OpStatus::Busy ? std::string() : "asked for a device that is not there");
     }
     entry->taken = true;
     imported_ = entry;
@@ -246,7 +247,7 @@ void UsbipConnection::endOverrun(const std::string& why) {
 
 void UsbipConnection::end(const std::string& why) {
     if (over_) return;
-    log(why);
+    if (!why.empty()) log(why);
     leave();
     scheduler_.post([this, alive = std::weak_ptr(alive_)] {
         if (!alive.expired()) std::exchange(ended_, nullptr)();

@@ -1,9 +1,12 @@
 #include "app/composition/udev_rule.h"
 
+#include <QStringList>
 #include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
+
+#include "core/engine/describe.h"
 
 namespace kickstand {
 namespace {
@@ -48,6 +51,24 @@ TEST_F(UdevRule, OneOfAPackageCountsToo) {
     write("lib/udev/rules.d/60-robots.rules",
           "ATTR{idVendor}==\"04d8\", ATTR{idProduct}==\"7839\", MODE=\"0666\"\n");
     EXPECT_EQ(findUdevRule(kVendor, kDongle, root_), "/lib/udev/rules.d/60-robots.rules");
+}
+
+TEST_F(UdevRule, TheOneThatTheProgramItselfRecommendsIsRecognised) {
+    const QString command = describe(Error{.code = Errc::PermissionDenied}).remedyCommand;
+    const QStringList parts = command.split(QLatin1Char('\''));
+    ASSERT_GE(parts.size(), 3) << command.toStdString();
+    write("etc/udev/rules.d/60-kickstand.rules", parts[1].toStdString() + "\n");
+    EXPECT_TRUE(findUdevRule(kVendor, kDongle, root_));
+    EXPECT_TRUE(findUdevRule(kVendor, kCable, root_));
+    EXPECT_FALSE(findUdevRule(kVendor, 0x7840, root_));
+}
+
+TEST_F(UdevRule, AFileHidesOthersOfItsName) {
+    write("lib/udev/rules.d/60-kickstand.rules",
+          "ATTR{idVendor}==\"04d8\", ATTR{idProduct}==\"7839\", MODE=\"0666\"\n");
+    ASSERT_TRUE(findUdevRule(kVendor, kDongle, root_));
+    write("run/udev/rules.d/60-kickstand.rules", "");
+    EXPECT_FALSE(findUdevRule(kVendor, kDongle, root_));
 }
 
 TEST_F(UdevRule, ACommentOrAnotherEndingLetsNobodyIn) {

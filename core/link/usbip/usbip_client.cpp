@@ -33,7 +33,7 @@ Error refusal(OpStatus status) {
     switch (status) {
         case OpStatus::Busy:
             error.code = Errc::ClaimedElsewhere;
-            error.detail = "the device is in use";
+            error.detail = "the server has given it to another client";
             break;
         case OpStatus::NoDevice:
         case OpStatus::NotAvailable:
@@ -294,8 +294,9 @@ void UsbipClient::tick() {
     if (!waiting) quietTicks_ = 0;
     if (quietTicks_ >= kTicksToLoss)
         return lose({.code = Errc::TimedOut, .subject = kSubject, .detail = "the server is silent"});
-    if (transfers_.empty() || ++ticksToProbe_ < kTicksBetweenProbes) return;
-    ticksToProbe_ = 0;
+    // The first one at once: how far away the server is is of interest from the beginning.
+    if (transfers_.empty() || --ticksToProbe_ > 0) return;
+    ticksToProbe_ = kTicksBetweenProbes;
     probe();
 }
 

@@ -99,7 +99,7 @@ class UsbipClient {
     Sequence lastEnded_ = 0;
     TimerId ticker_ = 0;
     int quietTicks_ = 0;
-    int ticksToProbe_ = 0;
+    int ticksToProbe_ = 1;
     Sequence probe_ = 0;  ///< The unlink that only asks.
     TimePoint probedAt_{};
     std::optional<Duration> roundTrip_;

@@ -115,6 +115,10 @@ Result<void> readOption(ThunderbotsSimOptions& options, const std::string& name,
 Result<ThunderbotsSimOptions> parseSimOptions(const LinkUri& uri) {
     if (uri.options.contains("cable") && uri.options.contains("robots"))
         return fail(Errc::BadArgument, "robots", "a cable leads to one robot");
+    for (const char* ofRadio : {"radio", "loss", "duplicate", "delay_ms"}) {
+        if (uri.options.contains("cable") && uri.options.contains(ofRadio))
+            return fail(Errc::BadArgument, ofRadio, "a cable has no radio");
+    }
     ThunderbotsSimOptions options;
     for (const auto& [name, text] : uri.options) {
         if (const auto read = readOption(options, name, text); !read) return fail(read.error());
