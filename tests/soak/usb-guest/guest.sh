@@ -20,7 +20,15 @@ ask() {
     questions=$((questions + 1))
     printf '%s\n' "$@" >/run/exchange/part
     mv /run/exchange/part "/run/exchange/ask.$questions"
-    until [ -e "/run/exchange/answer.$questions" ]; do sleep 0.05; done
+    local tries=0
+    until [ -e "/run/exchange/answer.$questions" ]; do
+        tries=$((tries + 1))
+        [ $tries -lt 1200 ] || {
+            answer="the host did not answer within a minute"
+            return
+        }
+        sleep 0.05
+    done
     answer=$(cat "/run/exchange/answer.$questions")
 }
 
@@ -98,7 +106,6 @@ gone() {
 
 echo "Linux $(uname -r), emulated"
 mkdir -p /etc/udev/rules.d
-cp "$rule" /etc/udev/rules.d/
 "$tools/systemd-udevd" --daemon --resolve-names=early >/dev/null 2>&1
 if attach; then ok "usbip attach"; else
     failed "usbip attach"
@@ -110,15 +117,24 @@ expect "the kernel's enumeration" 04d8 7839 "UBC Thunderbots Robocup Small Size 
 # ---- Permissions and the udev rule.
 plugdev=$(getent group plugdev | cut -d: -f3)
 as --clear-groups doctor
-ended 1 "doctor without permission"
-expect "its remedy" "60-kickstand.rules"
+ended 1 "doctor without permission and without a rule"
+expect "its remedy" "Install the udev rule" "sudo tee /etc/udev/rules.d/60-kickstand.rules"
+cp "$rule" /etc/udev/rules.d/
+"$tools/udevadm" control --reload
+"$tools/udevadm" trigger --subsystem-match=usb --action=add
+"$tools/udevadm" settle --timeout=10
+as --clear-groups doctor
+ended 1 "doctor for somebody whom the rule does not let in"
+expect "its remedy" "The udev rule is there (/etc/udev/rules.d/60-kickstand.rules)" "usermod -aG plugdev"
 as "--groups=$plugdev" doctor
 ended 0 "doctor for a member of plugdev, by the udev rule"
 
 # ---- What the robots are told.
 ctl --json thunderbots status
 ended 0 "status"
-expect "radios and robots" '"radios":"running"'
+expect "radios" '"radios":"running"'
+heard=$(printf '%s\n' "$answer" | grep -o '"live":true' | wc -l)
+if [ "$heard" = 3 ]; then ok "three robots are heard"; else failed "three robots are heard: $heard"; fi
 
 /tmp/kickstandctl --link usb: thunderbots drive --robot 3 --wheels 40,0,-40,7 --for 8 >/tmp/drive.log 2>&1 &
 drive=$!
@@ -136,7 +152,9 @@ monitor=$!
 logged 1 '"connected"'
 ctl thunderbots status
 ended 1 "a second program"
-expect "is told who has it" "kickstandctl"
+expect "is told that another one has it" "another program holds it"
+ctl doctor
+expect "doctor says which" "held by kickstandctl (process $monitor)"
 kill -INT $monitor
 wait $monitor
 
@@ -150,6 +168,7 @@ autokick=$!
 soon "autokick is armed" '"armed":true' --json show 5
 ask ball 5 1
 soon "a ball sets it off" '"automatic":1' --json show 5
+expect "with the width that was asked for" '"width1_us":1600'
 ask ball 5 0
 wait $autokick
 code=$?
@@ -161,9 +180,23 @@ ctl thunderbots test-mode --robot 3 --class hall --target 2
 ended 0 "test-mode"
 soon "the robot shows it" '"test_mode":{"class":"hall","target":2}' --json show 3
 
+# ---- Firmware. Any bytes will do for the FPGA's; padded as flash reads where nothing was written.
+head -c 20000 "$programs/kickstandctl" >/tmp/image.bin
+ctl thunderbots flash --robot 0 --target fpga --yes /tmp/image.bin
+ended 0 "flash"
+ask flash 0 "$exchange/flash.0"
+cmp -n 20000 /tmp/image.bin /run/exchange/flash.0 >/dev/null && ok "the robot's flash holds the image" ||
+    failed "the robot's flash holds the image"
+blank=$(tail -c +20001 /run/exchange/flash.0 | tr -d '\377' | wc -c)
+if [ "$blank" = 0 ]; then ok "and nothing else"; else failed "and nothing else: $blank bytes"; fi
+ctl thunderbots verify --robot 0 --target fpga /tmp/image.bin
+ended 0 "verify"
+
 # ---- The plug.
 /tmp/kickstandctl --link usb: thunderbots drive --robot 3 --wheels 30,30,30,30 --for 300 >/tmp/drive.log 2>&1 &
 drive=$!
+ask --json show 3
+kicks=$(printf '%s\n' "$answer" | grep -o '"kicks":{[^}]*' | head -n 1)
 soon "it drives" '"wheels":[30,30,30,30]' --json show 3
 ask unplug
 wait $drive
@@ -179,7 +212,7 @@ if attach; then ok "plugged in again"; else failed "plugged in again"; fi
 ctl thunderbots status
 ended 0 "status again"
 ask --json show 3
-expect "nothing is replayed" '"run":false' '"wheel_speeds":[0,0,0,0]'
+expect "nothing is replayed" '"run":false' '"wheel_speeds":[0,0,0,0]' "$kicks"
 
 /tmp/kickstandctl --link usb: --json thunderbots monitor --for 300 >/tmp/monitor.log 2>&1 &
 monitor=$!

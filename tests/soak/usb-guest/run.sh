@@ -60,6 +60,7 @@ cat >"$run/exchange/settings" <<E2
 port=$port
 tools='$cache/tools/sbin'
 programs='$build/app'
+exchange='$run/exchange'
 rule='$root/packaging/udev/60-kickstand.rules'
 E2
 
