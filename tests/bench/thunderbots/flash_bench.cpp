@@ -121,7 +121,7 @@ wire::FirmwareResponse mustAnswer(RequestRig& rig, int robot, const wire::Firmwa
 }
 
 void uploadPlainly(RequestRig& rig, int robot, const Bytes& bytes) {
-    constexpr std::size_t kBlock = 16 * 1024;
+    constexpr std::size_t kBlock = 16384;
     mustAnswer(rig, robot, wire::EraseChipRequest{});
     for (std::size_t at = 0; at < bytes.size(); at += wire::kFlashPageBytes) {
         const ByteView page = ByteView(bytes).subspan(at, std::min(wire::kFlashPageBytes, bytes.size() - at));
@@ -140,8 +140,8 @@ void uploadPlainly(RequestRig& rig, int robot, const Bytes& bytes) {
         const auto answer = mustAnswer(
             rig, robot,
             wire::BlockCrcRequest{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(size)});
-        if (std::get<wire::BlockCrcResponse>(answer).crc != crc16(ByteView(bytes).subspan(at, size)))
-            giveUp("a block is wrong");
+        const auto* block = std::get_if<wire::BlockCrcResponse>(&answer);
+        if (!block || block->crc != crc16(ByteView(bytes).subspan(at, size))) giveUp("a block is wrong");
     }
 }
 
@@ -174,7 +174,7 @@ void print(const char* name, int robots, const Bytes& bytes, image::FlashTarget 
 }  // namespace
 
 int main() {
-    constexpr std::size_t kBitstream = 340 * 1024;
+    constexpr std::size_t kBitstream = 348160;
     const Bytes dense = denseImage(kBitstream);
     const Bytes sparse = sparseImage(kBitstream);
     const Bytes firmware = microcontrollerImage();

@@ -39,7 +39,7 @@ void MessageFaults::callLater(Duration delay, std::function<void()> call) {
 Result<UsbTransferId> MessageFaults::submitOut(std::uint8_t endpoint, ByteView data, UsbCallback done) {
     const UsbTransferId id = ++lastId_;
     if (endpoint != kOut || !isFirmware(data, wire::Pipe::FirmwareRequest)) {
-        const auto inner = inner_->submitOut(endpoint, data, std::move(done));
+        auto inner = inner_->submitOut(endpoint, data, std::move(done));
         if (!inner) return inner;
         innerIds_[id] = *inner;
         return id;
@@ -74,7 +74,7 @@ void MessageFaults::sendCopies(std::uint8_t endpoint, const Bytes& packet, int c
 Result<UsbTransferId> MessageFaults::submitIn(std::uint8_t endpoint, std::size_t size, UsbCallback done) {
     const UsbTransferId id = ++lastId_;
     if (endpoint != kIn) {
-        const auto inner = inner_->submitIn(endpoint, size, std::move(done));
+        auto inner = inner_->submitIn(endpoint, size, std::move(done));
         if (!inner) return inner;
         innerIds_[id] = *inner;
         return id;
