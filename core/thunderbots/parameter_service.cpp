@@ -57,7 +57,7 @@ void ParameterService::readSignatures(int robot, Done done) {
     ask(robot, wire::ReadSignaturesRequest{}, std::move(done));
 }
 
-void ParameterService::apply(int robot, const wire::OperationalParameters& parameters, Done done) {
+void ParameterService::apply(int robot, const wire::OperationalParameters& parameters, const Done& done) {
     // Whether it was set, only the robot's own word can tell.
     const auto readAgain = [this, robot, parameters, done](Result<void> set) {
         if (!set) {

@@ -27,7 +27,7 @@ class ParameterService {
     void readSignatures(int robot, Done done);
     /// Sets the volatile copy and reads it again; answered with NotVerified where the robot then has
     /// something else.
-    void apply(int robot, const wire::OperationalParameters& parameters, Done done);
+    void apply(int robot, const wire::OperationalParameters& parameters, const Done& done);
     void commit(int robot, Done done);
     void reboot(int robot, Done done);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -61,8 +62,8 @@ std::string_view name(wire::FlashContents contents);
 constexpr double dutyPercent(int duty) {
     return duty * 100.0 / 255.0;
 }
-constexpr std::uint8_t dutyOfPercent(double percent) {
-    return static_cast<std::uint8_t>(percent * 255.0 / 100.0 + 0.5);
+inline std::uint8_t dutyOfPercent(double percent) {
+    return static_cast<std::uint8_t>(std::lround(percent * 255.0 / 100.0));
 }
 
 /// The fields in which two blocks differ. Any thread.

@@ -9,7 +9,7 @@
 namespace kickstand::thunderbots::image {
 
 /// The longest file that is read: a whole flash as Intel HEX, with room for short records.
-inline constexpr std::size_t kLargestFile = 8 * 1024 * 1024;
+inline constexpr std::size_t kLargestFile = 8UL * 1024 * 1024;
 
 /// Which format a file has: by the ending of its name where that says it (.bin, .bit, .hex, .ihx, .mcs), else
 /// by how it begins. Any thread.
