@@ -68,6 +68,8 @@ void addSmallSteps(TourMaker& tour);
 /// Parameters: read, drafted, asked about, applied, committed, proven by a reboot, compared. Robot 3 is
 /// chosen.
 void addParameterSteps(TourMaker& tour);
+/// An upload to robots 5 and 7, page by page, paused by STOP and resumed.
+void addFirmwareSteps(TourMaker& tour);
 /// The plots: cursors, a trigger, several robots. Robot 3 is chosen.
 void addVoltagesSteps(TourMaker& tour);
 

@@ -33,6 +33,7 @@ class Steps final : public TourMaker {
         addLookingSteps(*this);
         addCheckSteps(*this);
         addParameterSteps(*this);
+        addFirmwareSteps(*this);
         stopping();
         losing();
         addSmallSteps(*this);

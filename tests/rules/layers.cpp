@@ -8,7 +8,7 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 22> kUiValueHeaders{
+constexpr std::array<std::string_view, 24> kUiValueHeaders{
     "core/link/link_uri.h",
     "core/link/sim_action.h",
     "core/thunderbots/types.h",
@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, 22> kUiValueHeaders{
     "core/thunderbots/snapshot.h",
     "core/thunderbots/events.h",
     "core/thunderbots/bench_check.h",
+    "core/thunderbots/flash_estimate.h",
+    "core/thunderbots/flash_plan.h",
     "core/thunderbots/kick_record.h",
     "core/thunderbots/parameters.h",
     "core/thunderbots/parameter_draft.h",

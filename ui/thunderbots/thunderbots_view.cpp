@@ -13,6 +13,7 @@
 #include "ui/thunderbots/drive_panel.h"
 #include "ui/thunderbots/experiment_panel.h"
 #include "ui/thunderbots/faults_panel.h"
+#include "ui/thunderbots/flash_panel.h"
 #include "ui/thunderbots/kick_log_panel.h"
 #include "ui/thunderbots/kick_panel.h"
 #include "ui/thunderbots/leds_panel.h"
@@ -109,6 +110,8 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
          [&choice](Bench& bench) -> Panel* { return new ChecksPanel(bench, choice); }},
         {QStringLiteral("parameters"), Words::tr("Parameters"), help("parameters"), PanelPlace::Work,
          [&choice, &ledger](Bench& bench) -> Panel* { return new ParametersPanel(bench, choice, ledger); }},
+        {QStringLiteral("firmware"), Words::tr("Firmware"), help("firmware"), PanelPlace::Work,
+         [&choice](Bench& bench) -> Panel* { return new FlashPanel(bench, choice); }},
         {QStringLiteral("leds"), Words::tr("Test LEDs"), help("test-leds"), PanelPlace::Aside,
          [&choice](Bench& bench) -> Panel* { return new LedsPanel(bench, choice); }},
         {QStringLiteral("experiment"), Words::tr("Experiment data"), help("experiment-data"),
