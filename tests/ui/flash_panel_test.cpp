@@ -3,6 +3,7 @@
 #include "ui/thunderbots/flash_panel.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
@@ -338,6 +339,8 @@ TEST_F(FlashPanelTest, TheReviewHoldsForARobotThatIsLostAndReadsItAgain) {
     if (button("flashReadAgain")->isVisible()) button("flashReadAgain")->click();
     EXPECT_TRUE(waitUntil([this] { return button("flashNext")->isEnabled(); }))
         << text("flashReason").toStdString();
+    // The dialog has taken the window's place.
+    QApplication::setActiveWindow(&rig.window());
     button("flashNext")->setFocus();
     rig.press(Qt::Key_Left, Qt::AltModifier);
     EXPECT_EQ(page(), QStringLiteral("Files"));
