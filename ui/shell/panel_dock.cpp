@@ -18,7 +18,7 @@ constexpr int kHeaderHeight = 36;
 constexpr int kHeaderFontSize = 12;
 /// What there is for a panel in the middle of the smallest window, 1280 × 800.
 constexpr int kMostLeastWidth = 600;
-constexpr int kMostLeastHeight = 250;
+constexpr int kMostLeastHeight = 272;
 
 /// A dock takes its title's height from the size hint alone.
 class PanelHeader final : public QWidget {
@@ -93,6 +93,8 @@ void PanelDock::makePanel() {
     scroll->viewport()->setAutoFillBackground(false);
     panel_->setAutoFillBackground(false);
     setWidget(scroll);
+    // The layout of docks takes from a dock's own hint when there is too little for all.
+    setMinimumWidth(scroll->minimumSizeHint().width());
 }
 
 void PanelDock::paintEvent(QPaintEvent*) {

@@ -1,7 +1,6 @@
 #include "ui/thunderbots/leds_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -109,11 +108,11 @@ QWidget* LedsPanel::makeWays() {
     normal_->setAutoDefault(false);
     normal_->setToolTip(tr("Ends every test mode of the chosen robots, whichever way it was asked for."));
     auto* ways = new QWidget(this);
-    auto* row = new QHBoxLayout(ways);
+    auto* row = new QVBoxLayout(ways);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::kGap);
     row->addWidget(way_);
-    row->addWidget(normal_, 1);
+    row->addWidget(normal_);
     return ways;
 }
 
