@@ -28,25 +28,29 @@ QVBoxLayout* flatColumn(QWidget* parent) {
 
 FlashPageView::FlashPageView(QWidget* parent)
     : QWidget(parent),
+      scroll_(new QScrollArea(this)),
       content_(new QWidget),
       head_(flatColumn(nullptr)),
       column_(flatColumn(content_)),
       foot_(flatColumn(nullptr)) {
     column_->setContentsMargins(0, 0, kScrollBarRoom, 0);
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setMinimumHeight(kLeastHeight);
-    scroll->setWidget(content_);
-    scroll->viewport()->setAutoFillBackground(false);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setWidgetResizable(true);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+    scroll_->setMinimumHeight(kLeastHeight);
+    scroll_->setWidget(content_);
+    scroll_->viewport()->setAutoFillBackground(false);
     content_->setAutoFillBackground(false);
     auto* all = flatColumn(this);
     all->setSpacing(metrics::kGap);
     all->addLayout(head_);
-    all->addWidget(scroll, 1);
+    all->addWidget(scroll_, 1);
     all->addLayout(foot_);
+}
+
+void FlashPageView::reveal(QWidget* part) const {
+    scroll_->ensureWidgetVisible(part, 0, 0);
 }
 
 QLabel* FlashPageView::makeText(const char* name, QWidget* parent) const {

@@ -4,6 +4,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace kickstand::ui {
@@ -25,11 +26,14 @@ class FlashPageView : public QWidget {
     /// What stays above it.
     QVBoxLayout* head() const { return head_; }
     QVBoxLayout* foot() const { return foot_; }
+    /// Scrolls until a part of the content can be seen.
+    void reveal(QWidget* part) const;
     /// A line or more of plain text.
     QLabel* makeText(const char* name, QWidget* parent) const;
     QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) const;
 
   private:
+    QScrollArea* scroll_;
     QWidget* content_;
     QVBoxLayout* head_;
     QVBoxLayout* column_;

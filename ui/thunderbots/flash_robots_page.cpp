@@ -1,6 +1,7 @@
 #include "ui/thunderbots/flash_robots_page.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -17,6 +18,7 @@ using namespace thunderbots;
 
 namespace {
 
+constexpr int kRowHeight = 24;
 constexpr int kTickWidth = 84;
 constexpr int kVoltsWidth = 76;
 
@@ -37,16 +39,6 @@ std::pair<Tone, QString> readyState(const RobotState& robot) {
     if (robot.freshness != Freshness::Current)
         return {Tone::Idle, FlashRobotsPage::tr("ready; it measures nothing")};
     return {Tone::Good, FlashRobotsPage::tr("ready")};
-}
-
-/// Red and bold, or as everything else.
-void setLoud(QLabel& label, bool loud) {
-    const QColor wanted = loud ? tokensOf(label.palette()).danger : tokensOf(label.palette()).text;
-    if (label.palette().color(QPalette::WindowText) == wanted) return;
-    QPalette palette = label.palette();
-    palette.setColor(QPalette::WindowText, wanted);
-    label.setPalette(palette);
-    label.setFont(numberFont(metrics::kTextSize, loud ? QFont::DemiBold : QFont::Normal));
 }
 
 Tone toneOf(FlashObstacle obstacle) {
@@ -111,7 +103,7 @@ FlashRobotsPage::Row FlashRobotsPage::makeRow(int robot) {
     line->addSpacing(metrics::kGap);
     line->addWidget(row.state, 1);
     line->addWidget(row.remedy);
-    row.all->setMinimumHeight(metrics::kFieldHeight);
+    row.all->setMinimumHeight(kRowHeight);
     column()->addWidget(row.all);
     connect(row.tick, &QCheckBox::clicked, this, [this, robot](bool on) {
         emit robotsAsked(on ? ticked_ | maskOf(robot) : ticked_ & ~maskOf(robot));
@@ -149,6 +141,7 @@ void FlashRobotsPage::showState(const FlashWizardState& state, const Snapshot* s
     for (int robot = 0; robot < kRobots; ++robot)
         showRow(robot, state, snapshot == nullptr ? nothing : *snapshot);
     showOptions(state, snapshot);
+    if (snapshot != nullptr) revealHeld(state, *snapshot);
 }
 
 void FlashRobotsPage::showRow(int robot, const FlashWizardState& state, const Snapshot& snapshot) {
@@ -157,14 +150,7 @@ void FlashRobotsPage::showRow(int robot, const FlashWizardState& state, const Sn
     const bool ticked = contains(ticked_, robot);
     row.all->setVisible(known.live || ticked);
     row.tick->setChecked(ticked);
-    const bool current = known.freshness == Freshness::Current;
-    row.battery->setText(current ? batteryText(known.readings.battery_V) : tr("\u2014"));
-    const QString volts = current           ? capacitorText(known.readings.capacitor_V)
-                          : known.capacitor ? tr("%1?").arg(capacitorText(known.capacitor->last_V))
-                                            : tr("\u2014");
-    // Live, whatever its age.
-    setLoud(*row.capacitor, isLive(known));
-    row.capacitor->setText(isLive(known) ? tr("%1 live").arg(volts) : volts);
+    showVolts(robot, known);
     const FlashObstacle obstacle = obstacleOf(snapshot, robot, state.options);
     if (obstacle == FlashObstacle::None) {
         const auto [tone, text] = readyState(known);
@@ -177,6 +163,49 @@ void FlashRobotsPage::showRow(int robot, const FlashWizardState& state, const Sn
     row.remedy->setText(remedy);
     row.remedy->setVisible(!remedy.isEmpty() && ticked);
     row.remedy->setAccessibleName(tr("Robot %1: %2").arg(robot).arg(remedy));
+}
+
+void FlashRobotsPage::showVolts(int robot, const RobotState& known) {
+    const Row& row = rows_[static_cast<std::size_t>(robot)];
+    const bool current = known.freshness == Freshness::Current;
+    row.battery->setText(current ? batteryText(known.readings.battery_V) : tr("\u2014"));
+    const QString volts = current           ? capacitorText(known.readings.capacitor_V)
+                          : known.capacitor ? tr("%1?").arg(capacitorText(known.capacitor->last_V))
+                                            : tr("\u2014");
+    // Live, whatever its age.
+    const bool live = isLive(known);
+    loud_ = static_cast<RobotMask>(live ? loud_ | maskOf(robot) : loud_ & ~maskOf(robot));
+    setLoud(*row.capacitor, live);
+    row.capacitor->setText(live ? tr("%1 live").arg(volts) : volts);
+}
+
+void FlashRobotsPage::setLoud(QLabel& label, bool loud) {
+    const QColor wanted = loud ? tokensOf(palette()).danger : tokensOf(palette()).text;
+    if (label.palette().color(QPalette::WindowText) == wanted) return;
+    QPalette changed = label.palette();
+    changed.setColor(QPalette::WindowText, wanted);
+    label.setPalette(changed);
+    label.setFont(numberFont(metrics::kTextSize, loud ? QFont::DemiBold : QFont::Normal));
+}
+
+void FlashRobotsPage::changeEvent(QEvent* event) {
+    FlashPageView::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange) return;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        QLabel* capacitor = rows_[static_cast<std::size_t>(robot)].capacitor;
+        if (capacitor != nullptr) setLoud(*capacitor, contains(loud_, robot));
+    }
+}
+
+void FlashRobotsPage::revealHeld(const FlashWizardState& state, const Snapshot& snapshot) {
+    int held = -1;
+    for (int robot = kRobots - 1; robot >= 0; --robot) {
+        const bool holds = obstacleOf(snapshot, robot, state.options) != FlashObstacle::None;
+        if (contains(ticked_, robot) && holds) held = robot;
+    }
+    if (held == revealed_) return;
+    revealed_ = held;
+    if (held >= 0) reveal(rows_[static_cast<std::size_t>(held)].all);
 }
 
 void FlashRobotsPage::showOptions(const FlashWizardState& state, const Snapshot* snapshot) {

@@ -26,6 +26,9 @@ class FlashRobotsPage final : public FlashPageView {
     void optionsAsked(const thunderbots::FlashOptions& options);
     void remedyAsked(int robot);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     struct Row {
         QWidget* all = nullptr;
@@ -40,6 +43,10 @@ class FlashRobotsPage final : public FlashPageView {
     Row makeRow(int robot);
     void makeOptions();
     void showRow(int robot, const FlashWizardState& state, const thunderbots::Snapshot& snapshot);
+    void showVolts(int robot, const thunderbots::RobotState& known);
+    void setLoud(QLabel& label, bool loud);
+    /// Brings the first robot into view that holds the page, when it is another one than before.
+    void revealHeld(const FlashWizardState& state, const thunderbots::Snapshot& snapshot);
     void showOptions(const FlashWizardState& state, const thunderbots::Snapshot* snapshot);
 
     std::array<Row, thunderbots::kRobots> rows_;
@@ -48,6 +55,8 @@ class FlashRobotsPage final : public FlashPageView {
     QCheckBox* lowBattery_ = nullptr;
     QCheckBox* capacitorUnknown_ = nullptr;
     thunderbots::RobotMask ticked_ = 0;
+    thunderbots::RobotMask loud_ = 0;  ///< Whose capacitor is live.
+    int revealed_ = -1;
     thunderbots::RobotMask heard_ = 0;
     thunderbots::FlashOptions options_;
 };
