@@ -17,6 +17,7 @@
 
 #include "app/composition/composition.h"
 #include "core/engine/engine.h"
+#include "core/ledger/ledger.h"
 #include "tests/soak/memory.h"
 #include "ui/plot/time_plot.h"
 #include "ui/shell/bench.h"
@@ -79,6 +80,7 @@ class WindowHour final : public QObject {
     ui::Theme theme_;
     Engine engine_;
     ui::EngineClient client_;
+    Ledger ledger_{":memory:"};
     ui::SystemRegistry systems_;
     ui::ThunderbotsView* view_ = nullptr;
     ui::Bench bench_;
@@ -99,7 +101,7 @@ WindowHour::WindowHour(double minutes)
       engine_(makeLinkProvider()),
       client_(engine_),
       bench_(client_, systems_, settings_) {
-    auto view = std::make_unique<ui::ThunderbotsView>();
+    auto view = std::make_unique<ui::ThunderbotsView>(ledger_);
     view_ = view.get();
     systems_.add(std::move(view));
     window_ = std::make_unique<ui::MainWindow>(bench_, theme_);

@@ -34,7 +34,9 @@ CapacitorReadout::CapacitorReadout(QWidget* parent) : QWidget(parent) {
 
 void CapacitorReadout::showState(const ChoiceSummary& summary, TimePoint now) {
     const double volts = summary.capacitor_V.value_or(0);
-    const QString number = summary.capacitor_V ? capacitorText(volts) : QStringLiteral("\u2014");
+    QString number = summary.capacitor_V ? capacitorText(volts) : QStringLiteral("\u2014");
+    // Never an old number that looks fresh.
+    if (summary.capacitor_V && summary.capacitorStale) number += u'?';
     const bool live = volts >= thunderbots::wire::kCapacitorLive_V;
     QString caption = tr("no capacitor is known");
     if (summary.capacitor_V) {

@@ -171,7 +171,8 @@ const Error* ThunderbotsView::obstacle(const SystemSnapshot& system) const {
 QStringList ThunderbotsView::facts(const SessionSnapshot& session) const {
     const auto& snapshot = std::get<Snapshot>(session.system);
     QStringList facts;
-    facts << Words::tr("%1 packets/s").arg(snapshot.traffic.packets_per_s, 0, 'f', 0);
+    if (snapshot.link == LinkState::Running)
+        facts << Words::tr("%1 packets/s").arg(snapshot.traffic.packets_per_s, 0, 'f', 0);
     // Unplugged, nobody knows what they are.
     if (snapshot.channels && snapshot.link == LinkState::Running) {
         facts
