@@ -82,4 +82,11 @@ void ParameterKeeper::lost(int robot, RobotMask others) {
     ++version_;
 }
 
+void ParameterKeeper::rebootedUnseen(int robot) {
+    const ParameterState& state = at(robot).state;
+    const bool moves =
+        state.standing == ParameterStanding::Committed && state.committed->robotNumber != robot;
+    if (!moves) lost(robot, 0);
+}
+
 }  // namespace kickstand::thunderbots

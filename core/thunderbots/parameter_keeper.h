@@ -29,6 +29,9 @@ class ParameterKeeper {
     /// The dongle has lost it. `others`: the robots that are alive now. One that rebooted to another number
     /// which nobody else answers to is expected there.
     void lost(int robot, RobotMask others);
+    /// It was told to reboot a moment ago, and has done so without the dongle's having missed it. Nothing
+    /// where it comes back under another number: that the dongle notices.
+    void rebootedUnseen(int robot);
     /// Whether the robot's next reading proves or disproves a commit.
     bool proofDue(int robot) const { return state(robot).standing == ParameterStanding::Rebooted; }
 

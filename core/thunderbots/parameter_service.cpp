@@ -1,16 +1,31 @@
 #include "core/thunderbots/parameter_service.h"
 
+#include <chrono>
 #include <utility>
 
 #include "core/base/hex.h"
 
 namespace kickstand::thunderbots {
 
+namespace {
+
+/// By then a robot that has answered the request to reboot has gone, and is not back yet (protocol 6.8).
+constexpr Duration kProofPause = std::chrono::seconds(1);
+/// A robot that has not answered after so many seconds will not.
+constexpr int kProofTries = 60;
+
+}  // namespace
+
 ParameterService::ParameterService(Scheduler& scheduler, RobotRequests& requests,
                                    std::function<void(const Event&)> event)
     : scheduler_(scheduler), requests_(requests), event_(std::move(event)) {
     requests_.setListener(
         [this](int robot, const wire::FirmwareResponse& response) { heard(robot, response); });
+}
+
+ParameterService::~ParameterService() {
+    for (const Proof& proof : proofs_)
+        scheduler_.cancel(proof.timer);
 }
 
 void ParameterService::raise(EventKind kind, int robot, std::int64_t code, std::int64_t previous,
@@ -37,6 +52,8 @@ void ParameterService::heard(int robot, const wire::FirmwareResponse& response) 
     } else if (std::holds_alternative<wire::RebootResponse>(response)) {
         keeper_.willReboot(robot);
         raise(EventKind::RobotRebooting, robot);
+        proofs_[static_cast<std::size_t>(robot)].tries = kProofTries;
+        proveSoon(robot);
     }
 }
 
@@ -96,7 +113,24 @@ void ParameterService::reboot(int robot, Done done) {
 }
 
 void ParameterService::found(int robot) {
-    if (keeper_.proofDue(robot)) read(robot, [](const Result<void>&) {});
+    if (!keeper_.proofDue(robot)) return;
+    proofs_[static_cast<std::size_t>(robot)].tries = kProofTries;
+    prove(robot);
+}
+
+void ParameterService::proveSoon(int robot) {
+    TimerId& timer = proofs_[static_cast<std::size_t>(robot)].timer;
+    scheduler_.cancel(timer);
+    timer = scheduler_.callAfter(kProofPause, [this, robot] { prove(robot); });
+}
+
+void ParameterService::prove(int robot) {
+    // A robot that is found again at once is never reported as lost (protocol 3.2).
+    keeper_.rebootedUnseen(robot);
+    if (!keeper_.proofDue(robot) || --proofs_[static_cast<std::size_t>(robot)].tries < 0) return;
+    read(robot, [this, robot](const Result<void>& result) {
+        if (!result) proveSoon(robot);
+    });
 }
 
 }  // namespace kickstand::thunderbots

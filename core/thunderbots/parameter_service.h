@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -17,6 +18,9 @@ class ParameterService {
 
     /// `requests` outlives it, as does what `event` needs.
     ParameterService(Scheduler& scheduler, RobotRequests& requests, std::function<void(const Event&)> event);
+    ~ParameterService();
+    ParameterService(const ParameterService&) = delete;
+    ParameterService& operator=(const ParameterService&) = delete;
 
     const ParameterState& state(int robot) const { return keeper_.state(robot); }
     std::uint64_t version() const { return keeper_.version(); }
@@ -40,6 +44,8 @@ class ParameterService {
     /// Asks; `done` comes whether or not it could be asked.
     void ask(int robot, const wire::FirmwareRequest& request, Done done);
     void heard(int robot, const wire::FirmwareResponse& response);
+    void proveSoon(int robot);
+    void prove(int robot);
     void readHeard(int robot, const wire::OperationalParameters& parameters);
     void raise(EventKind kind, int robot, std::int64_t code = 0, std::int64_t previous = 0,
                std::string text = {});
@@ -48,6 +54,13 @@ class ParameterService {
     RobotRequests& requests_;
     std::function<void(const Event&)> event_;
     ParameterKeeper keeper_;
+
+    /// A proof that is still to be read.
+    struct Proof {
+        TimerId timer = 0;
+        int tries = 0;  ///< That are left.
+    };
+    std::array<Proof, kRobots> proofs_;
 };
 
 }  // namespace kickstand::thunderbots

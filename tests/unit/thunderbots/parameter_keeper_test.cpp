@@ -97,6 +97,30 @@ TEST_F(KeeperTest, ARobotThatChangesItsNumberIsProvenUnderItsNewOne) {
     EXPECT_EQ(keeper.state(3).movedTo, -1) << "another robot has the number now";
 }
 
+TEST_F(KeeperTest, ARebootThatTheDongleMissedCountsAllTheSame) {
+    apply(3, blockOf(3, 2));
+    keeper.committed(3);
+    keeper.rebootedUnseen(3);
+    EXPECT_EQ(standing(), Standing::Committed) << "nobody told it to reboot";
+    keeper.willReboot(3);
+    keeper.rebootedUnseen(3);
+    EXPECT_TRUE(keeper.proofDue(3));
+    read(3, blockOf(3, 2));
+    EXPECT_EQ(standing(), Standing::Proven);
+    keeper.lost(3, 0);
+    EXPECT_EQ(standing(), Standing::Proven) << "that was no further reboot";
+}
+
+TEST_F(KeeperTest, ARobotThatTakesAnotherNumberIsMissedUnderItsOwn) {
+    apply(3, blockOf(7, 2));
+    keeper.committed(3);
+    keeper.willReboot(3);
+    keeper.rebootedUnseen(3);
+    EXPECT_EQ(standing(), Standing::Committed);
+    keeper.lost(3, 0);
+    EXPECT_TRUE(keeper.proofDue(7));
+}
+
 TEST_F(KeeperTest, ANumberThatAnotherRobotHasProvesNothingOfThisOne) {
     read(7, blockOf(7, 5));
     apply(3, blockOf(7, 2));
