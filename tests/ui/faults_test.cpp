@@ -67,7 +67,7 @@ TEST_F(FaultsTest, ACodeThatArrivesLeadsHereByEnterAndByDoubleClick) {
     events()->setCurrentIndex(events()->model()->index(row, 0));
     events()->setFocus();
     rig.press(Qt::Key_Return);
-    EXPECT_TRUE(isInFront());
+    EXPECT_TRUE(waitUntil([this] { return isInFront(); }));
     EXPECT_TRUE(currentCode().startsWith(QStringLiteral("43 "))) << currentCode().toStdString();
     EXPECT_EQ(faults()->currentIndex().siblingAtColumn(ui::FaultsModel::Seen).data().toString(),
               QStringLiteral("1 \u00d7"));

@@ -14,7 +14,7 @@ TEST(SimActions, EveryActionTakesItsBoundsAndNothingOutside) {
     ASSERT_TRUE(host.start(0x0001));
     SimControl& control = host.sim.control();
     const auto actions = control.actions();
-    EXPECT_EQ(actions.size(), 14U);
+    EXPECT_EQ(actions.size(), 16U);
     EXPECT_EQ(control.units(), std::vector<int>{0});
     for (const SimAction& action : actions) {
         const int unit = action.perUnit ? 0 : -1;
