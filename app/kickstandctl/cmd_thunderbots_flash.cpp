@@ -70,12 +70,19 @@ class Flashing {
         started_ = true;
         // A robot that is refused keeps no other one from its upload.
         Outcome begun = runner_.perform(start);
+        // The answer may be here before the state that belongs to it.
+        const TimePoint answered = runner_.engine().now();
+        const auto current = runner_.waitUntil([&] { return runner_.state().time > answered; }, kTellEvery);
+        if (!current) return tl::unexpected(current.error());
         const auto ended = runner_.waitUntil([this] { return look(); }, kUploadLimit);
         if (!ended) return tl::unexpected(ended.error());
         if (!begun) return begun;
         for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
             const FlashProgress* progress = progressOf(robot);
             if (progress && progress->error) return failed(*progress->error);
+            // Whatever else there may be: only what was done is called done.
+            if (thunderbots::contains(robots_, robot) && (!progress || progress->stage != FlashStage::Done))
+                return failed({.code = Errc::Cancelled, .robot = robot});
         }
         return {};
     }

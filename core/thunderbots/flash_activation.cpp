@@ -1,5 +1,6 @@
 // The last part of an upload: from an image that was verified to a robot that runs it.
 
+#include <algorithm>
 #include <utility>
 
 #include "core/thunderbots/flash_uploader.h"
@@ -93,7 +94,9 @@ void FlashUploader::probeAnswered(const Response& response) {
 }
 
 void FlashUploader::neverCameBack() {
-    failed({.code = Errc::RobotNotAlive});
+    Error why{.code = Errc::RobotNotAlive};
+    why.robot = robot_;
+    end(FlashStage::Failed, std::move(why));
 }
 
 bool FlashUploader::withTheRobot(Errc why) const {
@@ -110,7 +113,9 @@ void FlashUploader::lost(Errc why) {
 void FlashUploader::awaitReturn() {
     away_ = true;
     progress_.stage = FlashStage::Rebooting;
-    waitFor(kReturnLimit, &FlashUploader::neverCameBack);
+    // Counted from the reboot on, however often it comes and goes.
+    const Duration left = kReturnLimit - (around_.scheduler.now() - stageAt_);
+    waitFor(std::max(left, Duration::zero()), &FlashUploader::neverCameBack);
 }
 
 void FlashUploader::found() {

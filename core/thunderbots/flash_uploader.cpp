@@ -59,10 +59,14 @@ void FlashUploader::contentsRead(const Response& response) {
     parameters_ = parametersOf(response);
     if (!progress_.parametersBefore) progress_.parametersBefore = parameters_;
     note(FlashNote::Contents, parameters_.flashContents);
-    if (parameters_.flash() != wire::FlashContents::NoData) return change(&FlashUploader::markNoData);
-    // What an upload that was broken off has written is still there.
-    progress_.left = FlashLeft::NoData;
-    survey(FlashStage::Surveying, wire::kFlashBytes);
+    // Naming the contents commits the whole block: what somebody has only applied would come true at a
+    // reboot.
+    if (parameters_.robotNumber != robot_) return failed({.code = Errc::NotCommitted});
+    // Reading shows the volatile copy alone: that it has no data may be what the robot would forget at its
+    // next reboot, so it is made to hold in any case (protocol 4.8). What a broken upload has written is
+    // still there.
+    resumes_ = parameters_.flash() == wire::FlashContents::NoData;
+    change(&FlashUploader::markNoData);
 }
 
 void FlashUploader::markNoData() {
@@ -79,6 +83,7 @@ void FlashUploader::noDataSet(const Response&) {
 
 void FlashUploader::noDataMarked(const Response&) {
     note(FlashNote::MarkedNoData);
+    if (resumes_) return survey(FlashStage::Surveying, wire::kFlashBytes);
     change(&FlashUploader::erase);
 }
 

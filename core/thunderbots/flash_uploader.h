@@ -126,8 +126,9 @@ class FlashUploader {
     std::vector<std::uint16_t> pages_;  ///< That are to be written.
     std::size_t nextPage_ = 0;
     std::optional<FlashPage> buffer_;  ///< What the robot's page buffer holds; none: nobody knows.
-    int rounds_ = 0;                   ///< How often this image was verified.
-    bool away_ = false;                ///< The robot went to reboot.
+    bool resumes_ = false;  ///< It said that it has no data: there may be something of an earlier upload.
+    int rounds_ = 0;        ///< How often this image was verified.
+    bool away_ = false;     ///< The robot went to reboot.
     std::uint32_t unansweredBefore_ = 0;
     bool pausing_ = false;
     Step held_ = nullptr;                   ///< What a resume goes on with.

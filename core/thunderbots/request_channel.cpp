@@ -67,7 +67,12 @@ Error about(int robot, Errc code, FirmwareOp op) {
 
 RequestChannel::RequestChannel(int robot, Scheduler& scheduler, MessageTurns& turns,
                                const std::function<void()>& changed)
-    : robot_(robot), scheduler_(scheduler), turns_(turns), changed_(changed) {}
+    : robot_(robot),
+      scheduler_(scheduler),
+      turns_(turns),
+      changed_(changed),
+      // Not where an earlier program began: a sign that one asked for may still be on its way.
+      round_(static_cast<std::uint32_t>(scheduler.now().time_since_epoch() / std::chrono::milliseconds(1))) {}
 
 RequestChannel::~RequestChannel() {
     scheduler_.cancel(timer_);

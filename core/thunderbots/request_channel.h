@@ -91,8 +91,8 @@ class RequestChannel {
     std::optional<Exchange> exchange_;
     RequestState state_;
     bool alive_ = false;
-    bool inDoubt_ = true;      ///< The robot has to give a sign before anything else is sent.
-    std::uint32_t round_ = 0;  ///< Of asking for signs.
+    bool inDoubt_ = true;  ///< The robot has to give a sign before anything else is sent.
+    std::uint32_t round_;  ///< Of asking for signs.
     TimerId timer_ = 0;
     TimePoint rebootingUntil_{};
 };

@@ -41,7 +41,6 @@ Result<void> Session::checkAskable(int robot) const {
     if (auto running = checkRunning(); !running) return running;
     if (!model_.robot(robot).live) return fail(about(robot, Errc::RobotNotAlive));
     if (flash_.running(robot)) return fail(about(robot, Errc::FlashRunning));
-    if (flash_.running(robot)) return fail(about(robot, Errc::FlashRunning));
     if (requests_.busy(robot)) return fail(about(robot, Errc::RequestPending));
     return {};
 }

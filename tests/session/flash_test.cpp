@@ -279,6 +279,63 @@ TEST_F(Flash, GivesUpAPageThatIsNeverTaken) {
     EXPECT_EQ(contents(0), kNoDataByte);
 }
 
+TEST_F(Flash, ThatThereIsNoDataIsMadeToHoldAlsoWhereTheVolatileCopySaysSoAlready) {
+    // An upload that ends between setting it and committing it.
+    judge = [](const PassingMessage& message) {
+        MessageFate fate;
+        if (message.direction == Direction::Out &&
+            message.packet[1] == static_cast<std::uint8_t>(FirmwareOp::CommitParameters))
+            fate.copies = 0;
+        return fate;
+    };
+    ASSERT_TRUE(start(maskOf(0), {densePlan(8, kFpga, 1)}));
+    ASSERT_EQ(waitForEnd(0).stage, FlashStage::Failed);
+    judge = {};
+    ASSERT_NE(contents(0), kNoDataByte) << "that was never committed";
+    ASSERT_TRUE(start(maskOf(0), {densePlan(60, kFpga, 2)}));
+    ASSERT_TRUE(progress(0).running());
+    ASSERT_TRUE(waitForStage(0, FlashStage::Writing));
+    EXPECT_EQ(contents(0), kNoDataByte);
+    rig.simulate("dead", 1, 0);
+    EXPECT_EQ(waitForEnd(0).stage, FlashStage::Failed);
+    rig.simulate("dead", 0, 0);
+    rig.advance(10s);
+    EXPECT_FALSE(rig.robot(0).fpgaConfigured) << "half an image was taken for a whole one";
+}
+
+TEST_F(Flash, MakesNoNumberPermanentThatSomebodyHasOnlyApplied) {
+    // By another program: this session does not know of it.
+    const auto block = [](const PassingMessage& message) {
+        MessageFate fate;
+        const bool parameters = message.direction == Direction::In &&
+                                message.packet[1] == static_cast<std::uint8_t>(FirmwareOp::ReadParameters);
+        if (parameters) {
+            fate.replacement.assign(message.packet.begin(), message.packet.end());
+            fate.replacement[5] = 9;
+        }
+        return fate;
+    };
+    judge = block;
+    ASSERT_TRUE(start(maskOf(1), {densePlan(4, kFpga)}));
+    const FlashProgress end = waitForEnd(1);
+    EXPECT_EQ(end.stage, FlashStage::Failed);
+    EXPECT_EQ(end.error->code, Errc::NotCommitted);
+    EXPECT_EQ(end.left, FlashLeft::Untouched);
+    EXPECT_EQ(countOf(1, FirmwareOp::CommitParameters), 0U);
+}
+
+TEST_F(Flash, ARobotThatDoesNotComeBackIsNotWaitedForForEver) {
+    ASSERT_TRUE(start(maskOf(0), {densePlan(4, kFpga)}));
+    ASSERT_TRUE(waitForStage(0, FlashStage::Rebooting));
+    rig.simulate("dead", 1, 0);
+    const TimePoint gone = rig.scheduler().now();
+    const FlashProgress end = waitForEnd(0);
+    EXPECT_EQ(end.stage, FlashStage::Failed);
+    EXPECT_EQ(end.error->code, Errc::RobotNotAlive);
+    EXPECT_EQ(end.left, FlashLeft::Rebooted);
+    EXPECT_LE(end.endedAt - gone, 70s);
+}
+
 TEST_F(Flash, AnErasureWhoseAnswerIsLostIsFoundOut) {
     judge = [](const PassingMessage& message) {
         MessageFate fate;
