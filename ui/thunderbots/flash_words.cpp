@@ -49,7 +49,8 @@ QString unrestText(FlashObstacle obstacle) {
         case FlashObstacle::Armed:
             return Words::tr("its high voltage is armed");
         case FlashObstacle::Uncommitted:
-            return Words::tr("parameters were applied and not committed: an upload would make some of them permanent");
+            return Words::tr(
+                "parameters were applied and not committed: an upload would make some of them permanent");
         case FlashObstacle::Asked:
             return Words::tr("it is being asked something: a moment");
         default:
