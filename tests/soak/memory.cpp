@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <unistd.h>
 
 #include "core/telemetry/store.h"
@@ -15,6 +18,15 @@ double resident_MB() {
     double resident = 0;
     statm >> total >> resident;
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+std::optional<double> allocated_MB() {
+#ifdef __GLIBC__
+    const auto counts = mallinfo2();
+    const std::size_t bytes = counts.uordblks + counts.hblkhd;
+    if (bytes != 0) return static_cast<double>(bytes) / 1e6;
+#endif
+    return std::nullopt;
 }
 
 double rings_MB(const EngineSnapshot& snapshot) {

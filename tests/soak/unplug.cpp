@@ -45,8 +45,8 @@ constexpr Duration kSettle = 1500ms;
 constexpr Duration kInTheAir = 50ms;
 /// Robots' and engine's own timers come and go: more than this many more is a leak.
 constexpr std::size_t kTimersMayGrow = 40;
-/// What memory may grow by from a quarter of the moments to the last, besides the telemetry's rings.
-constexpr double kMayGrow_MB = 8;
+/// What the allocated memory may grow by from a quarter of the moments to the last.
+constexpr double kMayGrow_MB = 1;
 /// OUT and control transfers that a running session may have under way.
 constexpr std::int64_t kMayWait = 8;
 /// Kicks are told apart by their width: none twice to one robot at one moment.
@@ -307,7 +307,7 @@ void Unplug::checkQuiet() {
 void Unplug::look() {
     const std::size_t at = number_ < moments_ / 4 ? 0 : 1;
     timers_.at(at) = std::max(timers_.at(at), rig_.scheduler().pending());
-    memory_MB_.at(at) = soak::resident_MB() - soak::rings_MB(*rig_.flows().snapshots.latest().value);
+    memory_MB_.at(at) = soak::allocated_MB().value_or(0);
 }
 
 bool Unplug::moment() {
@@ -370,7 +370,7 @@ bool Unplug::report(double wall_s) {
     std::printf(
         " \"kicks\": {\"asked_for\": %llu, \"done\": %llu, \"replayed\": %llu}, \"faults\": %llu,\n"
         " \"timers\": {\"quarter\": %zu, \"end\": %zu},\n"
-        " \"memory_MB\": {\"quarter\": %.1f, \"end\": %.1f, \"flat\": %s}}\n",
+        " \"allocated_MB\": {\"quarter\": %.1f, \"end\": %.1f, \"flat\": %s}}\n",
         static_cast<unsigned long long>(given_), static_cast<unsigned long long>(done_),
         static_cast<unsigned long long>(replayed_), static_cast<unsigned long long>(faults_), timers_[0],
         timers_[1], memory_MB_[0], memory_MB_[1], flat ? "true" : "false");
