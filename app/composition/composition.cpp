@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "app/composition/device_finder.h"
+#include "app/composition/serial_links.h"
+#include "app/composition/simulated_lines.h"
 #include "app/composition/usb_links.h"
 #include "app/composition/usbip_links.h"
 #include "core/link/loopback/loopback_usb_link.h"
@@ -14,18 +16,38 @@ namespace {
 using thunderbots::sim::parseSimOptions;
 using thunderbots::sim::ThunderbotsSim;
 
-constexpr char kSchemes[] = "usb:, usb-cable:, usbip:HOST:PORT/BUSID, sim:thunderbots";
+std::string simulatedNames() {
+    const std::string lines = simulatedLineNames();
+    return "sim:thunderbots" + (lines.empty() ? lines : ", " + lines);
+}
+
+std::string schemes() {
+    return "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, " + simulatedNames();
+}
 
 class ComposedLinks final : public LinkProvider {
   public:
     Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler& scheduler) override {
         if (auto exists = checkLink(uri); !exists) return fail(std::move(exists.error()));
+        if (isSerial(uri) || isSimulatedLine(uri))
+            return fail(Errc::BadUri, toString(uri), "USB: usb:, usb-cable:, usbip:HOST:PORT/BUSID");
         if (uri.isSimulated()) return makeSimulated(uri, scheduler);
         auto link = isUsbip(uri) ? makeUsbipLink(uri, scheduler) : makeHardwareLink(uri, scheduler);
         if (!link) return fail(std::move(link.error()));
         ProvidedUsbLink provided;
         provided.link = std::move(*link);
         return provided;
+    }
+
+    Result<ProvidedByteLink> makeByteLink(const LinkUri& uri, Scheduler& scheduler) override {
+        if (isSerial(uri)) return makeSerialLink(uri, scheduler);
+        if (isSimulatedLine(uri)) return makeSimulatedLine(uri, scheduler);
+        return fail(Errc::BadUri, toString(uri), "a serial line: serial:PATH?protocol=NAME");
+    }
+
+    Result<ProvidedBytePorts> makeBytePorts(const LinkUri& uri, Scheduler& scheduler) override {
+        if (isSerial(uri)) return makeSerialPortList(uri, scheduler);
+        return fail(Errc::BadUri, toString(uri), "serial ports: serial:");
     }
 
     void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
@@ -56,9 +78,11 @@ std::unique_ptr<LinkProvider> makeLinkProvider() {
 Result<void> checkLink(const LinkUri& uri) {
     if (isHardware(uri)) return checkHardwareLink(uri);
     if (isUsbip(uri)) return checkUsbipLink(uri);
-    if (!uri.isSimulated()) return fail(Errc::BadUri, toString(uri), kSchemes);
+    if (isSerial(uri)) return checkSerialLink(uri);
+    if (isSimulatedLine(uri)) return checkSimulatedLine(uri);
+    if (!uri.isSimulated()) return fail(Errc::BadUri, toString(uri), schemes());
     if (uri.target != "thunderbots")
-        return fail(Errc::Unsupported, toString(uri), "only sim:thunderbots is simulated");
+        return fail(Errc::Unsupported, toString(uri), "simulated are " + simulatedNames());
     if (const auto options = parseSimOptions(uri); !options) return fail(options.error());
     return {};
 }

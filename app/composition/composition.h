@@ -7,7 +7,8 @@
 namespace kickstand {
 
 /// The links that the programs are built with: `usb:` and `usb-cable:`, each with `?port=1-2.3` where several
-/// are plugged in, `usbip:HOST:PORT/BUSID`, and `sim:thunderbots` with the simulator's options.
+/// are plugged in, `usbip:HOST:PORT/BUSID`, `serial:PATH?protocol=NAME&baud=N`, and `sim:thunderbots` and its
+/// like with the simulators' options.
 std::unique_ptr<LinkProvider> makeLinkProvider();
 
 /// Whether such a link exists, without making it. Errors: BadUri for a scheme, target or option that is not

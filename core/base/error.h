@@ -77,6 +77,8 @@ struct Error {
     std::optional<std::int64_t> got{};
     /// A fact that fits nowhere else, such as the operating system's own word or the text that was given.
     std::string detail{};
+    /// The serial port, where one is concerned.
+    std::string port{};
 
     friend bool operator==(const Error&, const Error&) = default;
 };

@@ -13,6 +13,9 @@ constexpr char kInstallUdevRule[] =
     "GROUP=\"plugdev\", TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/60-kickstand.rules && "
     "sudo udevadm control --reload && sudo udevadm trigger --subsystem-match=usb";
 
+// Who may open serial ports, on Debian and its kin.
+constexpr char kJoinDialout[] = "sudo usermod --append --groups dialout \"$USER\"";
+
 // What was asked for makes no sense, or the bytes do not.
 constexpr ErrorText kInput[] = {
     {Errc::BadArgument, QT_TRANSLATE_NOOP("Error", "{subject} is not right: {detail}."),
@@ -71,6 +74,8 @@ constexpr ErrorText kInput[] = {
 
 // Links and devices.
 constexpr ErrorText kDevices[] = {
+    {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "There is no serial port {port}."),
+     QT_TRANSLATE_NOOP("Error", "Plug the device in, or check the port's name.")},
     {Errc::NoDevice, QT_TRANSLATE_NOOP("Error", "There is no device at {subject}: {detail}."),
      QT_TRANSLATE_NOOP(
          "Error",
@@ -82,9 +87,13 @@ constexpr ErrorText kDevices[] = {
      QT_TRANSLATE_NOOP("Error",
                        "Several devices are plugged in, and any of them could be meant[: {detail}]."),
      QT_TRANSLATE_NOOP("Error", "Name one by its place on the bus, as in usb:?port=1-2.3.")},
+    {Errc::PermissionDenied, QT_TRANSLATE_NOOP("Error", "This user may not open the serial port {port}."),
+     QT_TRANSLATE_NOOP("Error", "Join the group that may, then log in again:"), kJoinDialout},
     {Errc::PermissionDenied,
      QT_TRANSLATE_NOOP("Error", "The dongle is there[ ({subject})], but this user may not open it."),
      QT_TRANSLATE_NOOP("Error", "Install the udev rule:"), kInstallUdevRule},
+    {Errc::ClaimedElsewhere, QT_TRANSLATE_NOOP("Error", "Another program holds the serial port {port}."),
+     QT_TRANSLATE_NOOP("Error", "Close that program: a serial monitor, an IDE, or another bench.")},
     {Errc::ClaimedElsewhere,
      QT_TRANSLATE_NOOP("Error", "The device at {subject} is in use: {detail} (USB/IP status {got})."),
      QT_TRANSLATE_NOOP("Error", "Close the program that has it, here or on another machine.")},
@@ -92,6 +101,8 @@ constexpr ErrorText kDevices[] = {
      QT_TRANSLATE_NOOP("Error",
                        "The dongle is there[ ({subject})], but another program holds it[: {detail}]."),
      QT_TRANSLATE_NOOP("Error", "Close that program; `kickstandctl doctor` says which one it is.")},
+    {Errc::Disconnected, QT_TRANSLATE_NOOP("Error", "The serial port {port} is gone."),
+     QT_TRANSLATE_NOOP("Error", "Plug the device in again.")},
     {Errc::Disconnected,
      QT_TRANSLATE_NOOP("Error", "The device is gone: unplugged, or without power[ ({subject})]."),
      QT_TRANSLATE_NOOP("Error", "Plug it in again.")},
@@ -106,6 +117,8 @@ constexpr ErrorText kDevices[] = {
      QT_TRANSLATE_NOOP("Error", "Try again; if it stays so, unplug the device and plug it in again.")},
     {Errc::Cancelled, QT_TRANSLATE_NOOP("Error", "It was broken off before it was done[ ({subject})]."),
      QT_TRANSLATE_NOOP("Error", "Start it again if it is still wanted.")},
+    {Errc::Io, QT_TRANSLATE_NOOP("Error", "The serial port {port} does not work[: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Unplug the device and plug it in again.")},
     {Errc::Io,
      QT_TRANSLATE_NOOP("Error", "The operating system reports a failure[ of {subject}][: {detail}]."),
      QT_TRANSLATE_NOOP("Error",

@@ -31,6 +31,7 @@ std::optional<QString> text(const std::optional<Number>& fact, Number add = 0) {
 std::optional<QString> factOf(const Error& error, QStringView name) {
     if (name == u"subject") return text(error.subject);
     if (name == u"detail") return text(error.detail);
+    if (name == u"port") return text(error.port);
     if (name == u"robot") return text(error.robot);
     if (name == u"lowest") return text(error.lowest);
     if (name == u"highest") return text(error.highest);

@@ -8,6 +8,8 @@
 
 #include "core/base/result.h"
 #include "core/base/scheduler.h"
+#include "core/link/byte_link.h"
+#include "core/link/byte_ports.h"
 #include "core/link/link_uri.h"
 #include "core/link/sim_control.h"
 #include "core/link/usb_link.h"
@@ -41,6 +43,20 @@ struct ProvidedUsbLink {
     SimControl* sim = nullptr;  ///< Null for hardware.
 };
 
+/// A serial line ready to be opened, with what it stands on.
+struct ProvidedByteLink {
+    std::shared_ptr<void> keepAlive;  ///< A simulated device; destroyed after the link.
+    std::unique_ptr<ByteLink> link;
+    SimControl* sim = nullptr;  ///< Null for hardware.
+};
+
+/// The serial ports that a system with a device on each is to look at, with what they stand on.
+struct ProvidedBytePorts {
+    std::shared_ptr<void> keepAlive;  ///< Simulated devices; destroyed after the ports and their links.
+    std::unique_ptr<BytePorts> ports;
+    SimControl* sim = nullptr;  ///< Null for hardware.
+};
+
 /// Turns URIs into links. Implemented by the composition of a program, the only place that knows which links
 /// and simulators were built in; by test doubles elsewhere. Called on the engine thread; must not block.
 class LinkProvider {
@@ -48,6 +64,12 @@ class LinkProvider {
     virtual ~LinkProvider() = default;
     /// Errors: BadUri for a scheme or option it does not take, Unsupported for a system it does not know.
     virtual Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler& scheduler) = 0;
+    /// One serial line: `serial:PATH?protocol=coach&baud=9600`, `sim:coach`. Errors as makeUsbLink(). A
+    /// provider without serial lines gives Unsupported.
+    virtual Result<ProvidedByteLink> makeByteLink(const LinkUri& uri, Scheduler& scheduler);
+    /// The serial ports for smart devices: `serial:` for all that are on USB, `serial:PATH` for one,
+    /// `sim:smartdevice` for simulated ones. Errors as makeByteLink().
+    virtual Result<ProvidedBytePorts> makeBytePorts(const LinkUri& uri, Scheduler& scheduler);
     /// Looks for hardware on a thread of its own and posts what there is to the scheduler.
     virtual void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) = 0;
 };

@@ -25,12 +25,19 @@ TEST(Composition, TakesItsLinks) {
     for (const char* text :
          {"usb:", "usb:?port=1-2.3", "usb-cable:", "usb-cable:?port=1-2.3", "sim:thunderbots",
           "sim:thunderbots?robots=0-15&loss=0.02&seed=1&radio=ideal", "sim:thunderbots?cable=3",
-          "usbip:127.0.0.1:3240/1-1", "usbip:bench.local/1-1", "usbip:[::1]:3241/2-1.4"})
+          "usbip:127.0.0.1:3240/1-1", "usbip:bench.local/1-1", "usbip:[::1]:3241/2-1.4",
+          "serial:", "serial:/dev/ttyACM0", "serial:/dev/ttyACM0?protocol=smartdevice&baud=115200",
+          "serial:/dev/ttyUSB0?protocol=coach", "serial:COM3?protocol=motionplan&baud=9600"})
         EXPECT_TRUE(checkLink(*parseLinkUri(text))) << text;
 }
 
 TEST(Composition, RefusesEverythingElse) {
-    EXPECT_EQ(refusalOf("serial:/dev/ttyACM0"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("serial:?protocol=coach"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("serial:/dev/ttyACM0?protocol=modem"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("serial:/dev/ttyACM0?protocol=coach&baud=0"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("serial:/dev/ttyACM0?baud=fast"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("serial:/dev/ttyACM0?baud=4294967295"), Errc::BadUri);
+    EXPECT_EQ(refusalOf("serial:/dev/ttyACM0?speed=9600"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usbip:127.0.0.1:3240"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usbip:127.0.0.1:0/1-1"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usbip:/1-1"), Errc::BadUri);
@@ -38,7 +45,7 @@ TEST(Composition, RefusesEverythingElse) {
     EXPECT_EQ(refusalOf("usb:1-2"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usb:?serial=4"), Errc::BadUri);
     EXPECT_EQ(refusalOf("usb:?port="), Errc::BadUri);
-    EXPECT_EQ(refusalOf("sim:coach"), Errc::Unsupported);
+    EXPECT_EQ(refusalOf("sim:nothing"), Errc::Unsupported);
     EXPECT_EQ(refusalOf("sim:"), Errc::Unsupported);
     EXPECT_EQ(refusalOf("sim:thunderbots?robts=3"), Errc::UnknownName);
     EXPECT_EQ(refusalOf("sim:thunderbots?loss=2"), Errc::OutOfRange);
@@ -46,7 +53,7 @@ TEST(Composition, RefusesEverythingElse) {
 
 TEST(Composition, NamesWhatItWouldTake) {
     EXPECT_EQ(checkLink(*parseLinkUri("tcp:host")).error().detail,
-              "usb:, usb-cable:, usbip:HOST:PORT/BUSID, sim:thunderbots");
+              "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, sim:thunderbots");
 }
 
 TEST(Composition, MakesASimulatedDongleThatOpens) {
@@ -67,7 +74,7 @@ TEST(Composition, MakesASimulatedDongleThatOpens) {
 
 TEST(Composition, MakesNoLinkThatItRefuses) {
     FakeScheduler scheduler;
-    EXPECT_FALSE(makeLinkProvider()->makeUsbLink(*parseLinkUri("sim:coach"), scheduler));
+    EXPECT_FALSE(makeLinkProvider()->makeUsbLink(*parseLinkUri("sim:nothing"), scheduler));
     EXPECT_FALSE(makeLinkProvider()->makeUsbLink(*parseLinkUri("usb:?serial=4"), scheduler));
 }
 

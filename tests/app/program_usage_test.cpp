@@ -56,7 +56,7 @@ const BadUsage kLinks[] = {
     {"UnknownScheme",
      {"--link", "tcp:1.2.3.4", "thunderbots", "status"},
      "Accepted: usb:, usb-cable:, usbip:HOST:PORT/BUSID, sim:thunderbots."},
-    {"UnknownSystem", {"--link", "sim:coach", "thunderbots", "status"}, "only sim:thunderbots"},
+    {"UnknownSystem", {"--link", "sim:nothing", "thunderbots", "status"}, "sim:thunderbots"},
     {"UnknownUsbOption", {"--link", "usb:?serial=3", "thunderbots", "status"}, "Accepted: port"},
     {"EmptyPort", {"--link", "usb:?port=", "thunderbots", "status"}, "Accepted: port"},
     {"UsbipWithoutBusId",

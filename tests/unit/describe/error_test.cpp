@@ -77,6 +77,7 @@ TEST(DescribeError, EveryTemplateIsReached) {
         const auto names = [&](const char* fact) { return whole.find(fact) != std::string::npos; };
         if (names("{subject}")) error.subject = "s";
         if (names("{detail}")) error.detail = "d";
+        if (names("{port}")) error.port = "p";
         if (names("{robot}")) error.robot = 1;
         if (names("{lowest}")) error.lowest = 1;
         if (names("{highest}")) error.highest = 9;
@@ -96,6 +97,18 @@ TEST(DescribeError, NamesValueAndRange) {
     error.lowest = -1023;
     error.highest = 1023;
     EXPECT_EQ(lineOf(error), "thunderbots.drive wheel1 is -1024. Choose a value from -1023 to 1023.");
+}
+
+TEST(DescribeError, NamesTheSerialPortAndWhatToDoAboutIt) {
+    Error error = errorOf(Errc::PermissionDenied);
+    error.port = "/dev/ttyACM0";
+    EXPECT_EQ(whatOf(error), "This user may not open the serial port /dev/ttyACM0.");
+    EXPECT_EQ(describe(error).remedyCommand,
+              QStringLiteral("sudo usermod --append --groups dialout \"$USER\""));
+    error.code = Errc::ClaimedElsewhere;
+    EXPECT_EQ(whatOf(error), "Another program holds the serial port /dev/ttyACM0.");
+    error.code = Errc::NoDevice;
+    EXPECT_EQ(whatOf(error), "There is no serial port /dev/ttyACM0.");
 }
 
 TEST(DescribeError, NamesTheRobot) {

@@ -1,0 +1,59 @@
+#include "app/composition/simulated_lines.h"
+
+#include <span>
+#include <string_view>
+
+#include "core/link/paced/paced_byte_link.h"
+
+namespace kickstand {
+namespace {
+
+struct SimulatedSystem {
+    std::string_view name;
+    Result<void> (*check)(const LinkUri& uri);
+    Result<SimulatedLine> (*make)(const LinkUri& uri, Scheduler& scheduler);
+};
+
+/// One line a system.
+constexpr std::span<const SimulatedSystem> kSystems{};
+
+const SimulatedSystem* systemOf(const LinkUri& uri) {
+    if (!uri.isSimulated()) return nullptr;
+    for (const SimulatedSystem& system : kSystems) {
+        if (uri.target == system.name) return &system;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+bool isSimulatedLine(const LinkUri& uri) {
+    return systemOf(uri) != nullptr;
+}
+
+std::string simulatedLineNames() {
+    std::string names;
+    for (const SimulatedSystem& system : kSystems)
+        names += (names.empty() ? "sim:" : ", sim:") + std::string(system.name);
+    return names;
+}
+
+Result<void> checkSimulatedLine(const LinkUri& uri) {
+    return systemOf(uri)->check(uri);
+}
+
+Result<ProvidedByteLink> makeSimulatedLine(const LinkUri& uri, Scheduler& scheduler) {
+    auto line = systemOf(uri)->make(uri, scheduler);
+    if (!line) return fail(std::move(line.error()));
+    ProvidedByteLink provided;
+    PacedLineOptions options;
+    options.port = uri.target;
+    options.description = line->description;
+    options.baud = line->baud;
+    provided.link = std::make_unique<PacedByteLink>(scheduler, *line->device, std::move(options));
+    provided.sim = line->control;
+    provided.keepAlive = std::move(line->keepAlive);
+    return provided;
+}
+
+}  // namespace kickstand
