@@ -1,12 +1,15 @@
 #include "app/composition/simulated_lines.h"
 
-#include <span>
 #include <string_view>
 
 #include "core/link/paced/paced_byte_link.h"
+#include "core/motionplan/sim/nxt_sim.h"
 
 namespace kickstand {
 namespace {
+
+/// About what a Bluetooth serial port carries.
+constexpr Baud kBluetoothBaud = 115200;
 
 struct SimulatedSystem {
     std::string_view name;
@@ -14,8 +17,23 @@ struct SimulatedSystem {
     Result<SimulatedLine> (*make)(const LinkUri& uri, Scheduler& scheduler);
 };
 
+Result<void> checkMotionplan(const LinkUri& uri) {
+    const auto options = motionplan::sim::parseNxtOptions(uri.options);
+    if (!options) return fail(options.error());
+    return {};
+}
+
+Result<SimulatedLine> makeMotionplan(const LinkUri& uri, Scheduler& scheduler) {
+    const auto options = motionplan::sim::parseNxtOptions(uri.options);
+    if (!options) return fail(options.error());
+    const auto sim = std::make_shared<motionplan::sim::NxtSim>(scheduler, *options);
+    return SimulatedLine{sim, sim.get(), &sim->control(), kBluetoothBaud, "simulated NXT"};
+}
+
 /// One line a system.
-constexpr std::span<const SimulatedSystem> kSystems{};
+constexpr SimulatedSystem kSystems[] = {
+    {"motionplan", checkMotionplan, makeMotionplan},
+};
 
 const SimulatedSystem* systemOf(const LinkUri& uri) {
     if (!uri.isSimulated()) return nullptr;

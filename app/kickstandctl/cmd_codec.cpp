@@ -2,19 +2,16 @@
 #include <limits>
 
 #include "app/kickstandctl/arguments.h"
+#include "app/kickstandctl/codecs.h"
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/words.h"
 #include "core/base/hex.h"
 #include "core/engine/describe_facts.h"
-#include "core/thunderbots/wire/fields.h"
-#include "core/thunderbots/wire/generic.h"
 
 namespace kickstand::ctl {
 namespace {
-
-namespace wire = thunderbots::wire;
 
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
@@ -23,8 +20,10 @@ tl::unexpected<Failure> refusedMessage(const std::string& name, const Error& err
     auto failure = refusedInput(error);
     if (error.code != Errc::UnknownName || error.subject != name) return failure;
     std::vector<std::string> names;
-    for (const wire::MessageSpec& message : wire::messages())
-        names.emplace_back(message.name);
+    for (const Codec& codec : codecs()) {
+        for (const CodecMessage& message : codec.messages())
+            names.push_back(message.name);
+    }
     if (const std::string near = nearest(name, names); !near.empty())
         failure.value().text.remedy = Words::tr("Did you mean “%1”?").arg(QString::fromStdString(near));
     return failure;
@@ -37,9 +36,9 @@ QString suffix(const std::string& unit) {
     return QLatin1Char('_') + text;
 }
 
-QJsonObject fieldsToJson(const std::vector<wire::DecodedField>& fields, bool units) {
+QJsonObject fieldsToJson(const std::vector<CodecField>& fields, bool units) {
     QJsonObject json;
-    for (const wire::DecodedField& field : fields) {
+    for (const CodecField& field : fields) {
         const QString name = QString::fromStdString(field.name);
         json[name] = field.isBytes ? QJsonValue(QString::fromStdString(toHex(field.bytes)))
                                    : QJsonValue(qint64{field.value});
@@ -50,7 +49,7 @@ QJsonObject fieldsToJson(const std::vector<wire::DecodedField>& fields, bool uni
     return json;
 }
 
-QStringList fieldRow(const wire::DecodedField& field) {
+QStringList fieldRow(const CodecField& field) {
     const QString value =
         field.isBytes ? QString::fromStdString(toHex(field.bytes)) : QString::number(field.value);
     QString meaning = QString::fromStdString(field.label);
@@ -67,12 +66,12 @@ Outcome decode(const Context& context) {
         hex += operands[i] + ' ';
     const auto bytes = parseHex(hex);
     if (!bytes) return refusedInput(bytes.error());
-    const auto fields = wire::decodeMessage(operands[0], *bytes);
+    const auto fields = codecFor(operands[0]).decode(operands[0], *bytes);
     if (!fields) return refusedMessage(operands[0], fields.error());
 
     context.output.value(fieldsToJson(*fields, context.invocation.has("--units")));
     QList<QStringList> rows;
-    for (const wire::DecodedField& field : *fields)
+    for (const CodecField& field : *fields)
         rows.append(fieldRow(field));
     context.output.table(rows);
     if (fields->empty()) context.output.line(Words::tr("This message has no fields."));
@@ -81,7 +80,7 @@ Outcome decode(const Context& context) {
 
 Outcome encode(const Context& context) {
     const auto& operands = context.invocation.operands;
-    std::vector<wire::FieldText> fields;
+    std::vector<CodecText> fields;
     for (std::size_t i = 1; i < operands.size(); ++i) {
         const std::size_t equals = operands[i].find('=');
         if (equals == std::string::npos || equals == 0)
@@ -89,7 +88,7 @@ Outcome encode(const Context& context) {
                             Words::tr("Write it as FIELD=VALUE, as in wheel1=40."));
         fields.emplace_back(operands[i].substr(0, equals), operands[i].substr(equals + 1));
     }
-    const auto bytes = wire::encodeMessage(operands[0], fields);
+    const auto bytes = codecFor(operands[0]).encode(operands[0], fields);
     if (!bytes) return refusedMessage(operands[0], bytes.error());
 
     const QString hex = QString::fromStdString(toHex(*bytes));
@@ -106,16 +105,14 @@ Outcome encode(const Context& context) {
 /// Every message, each with its fields on the line below.
 QString messageList() {
     QString text = Words::tr("Messages and their fields:") + QLatin1Char('\n');
-    for (const wire::MessageSpec& message : wire::messages()) {
-        QStringList fields;
-        for (const wire::FieldSpec& field : message.fields) {
-            // What a person neither gives nor needs to read.
-            const bool fixed =
-                field.kind == wire::FieldKind::Reserved || field.kind == wire::FieldKind::Opcode;
-            if (!fixed) fields.append(QString::fromUtf8(field.name));
+    for (const Codec& codec : codecs()) {
+        for (const CodecMessage& message : codec.messages()) {
+            QStringList fields;
+            for (const std::string& field : message.fields)
+                fields.append(QString::fromStdString(field));
+            text += QStringLiteral("  %1\n      %2\n")
+                        .arg(QString::fromStdString(message.name), fields.join(QLatin1Char(' ')));
         }
-        text += QStringLiteral("  %1\n      %2\n")
-                    .arg(QString::fromUtf8(message.name), fields.join(QLatin1Char(' ')));
     }
     return text;
 }

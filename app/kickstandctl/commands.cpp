@@ -11,7 +11,7 @@ std::span<const CommandSpec> commands() {
              {deviceCommands(), doctorCommands(), stopCommands(), codecCommands(), thunderbotsWatchCommands(),
               thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(),
               thunderbotsCheckCommands(), thunderbotsSetupCommands(), thunderbotsFlashCommands(),
-              thunderbotsParametersCommands()})
+              thunderbotsParametersCommands(), motionplanCommands(), motionplanRunCommands()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

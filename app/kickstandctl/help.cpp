@@ -26,7 +26,8 @@ QString columns(const QList<QPair<QString, QString>>& rows) {
 QString globalOptions() {
     return columns({
         {QStringLiteral("--link URI"),
-         Words::tr("usb:, usb:?port=1-2.3, usb-cable:, usbip:127.0.0.1:3240/1-1 or "
+         Words::tr("usb:, usb:?port=1-2.3, usb-cable:, usbip:127.0.0.1:3240/1-1, "
+                   "serial:/dev/rfcomm0?protocol=motionplan, sim:motionplan or "
                    "sim:thunderbots?robots=0-15&loss=0.02; "
                    "without it the only hardware that is found")},
         {QStringLiteral("--json"), Words::tr("one JSON value; a value a line where it streams")},

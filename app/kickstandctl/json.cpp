@@ -18,7 +18,7 @@ QString nameOf(const EngineNote& note) {
     return QLatin1String(kNames.at(static_cast<std::size_t>(note.kind)));
 }
 QString nameOf(const SystemEvent& event) {
-    return fromView(std::visit([](const auto& one) { return thunderbots::name(one.kind); }, event));
+    return fromView(std::visit([](const auto& one) { return name(one.kind); }, event));
 }
 
 }  // namespace

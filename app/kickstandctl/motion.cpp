@@ -27,8 +27,9 @@ void Motion::told(const EngineEvent& event) {
         context_.output.value(toJson(runner_.engine(), event));
         context_.output.line(eventLine(runner_.engine(), event));
     }
-    if (const auto* system = std::get_if<SystemEvent>(&event.body); system != nullptr && hook_)
-        std::visit(hook_, *system);
+    const auto* system = std::get_if<SystemEvent>(&event.body);
+    const auto* own = system == nullptr ? nullptr : std::get_if<thunderbots::Event>(system);
+    if (own != nullptr && hook_) hook_(*own);
 }
 
 Outcome Motion::keepFor(Duration span) {

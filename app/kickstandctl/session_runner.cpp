@@ -23,6 +23,8 @@ constexpr Duration kSettleLimit = seconds(2);
 /// Robots are found one after another: so long without a new one, and that was all.
 constexpr Duration kQuiet = milliseconds(300);
 constexpr Duration kBrakeLimit = milliseconds(500);
+/// Over Bluetooth a Stop is sent up to five times, once a second.
+constexpr Duration kStopPlanLimit = milliseconds(6500);
 
 QString list(const std::vector<FoundDevice>& devices) {
     QStringList links;
@@ -36,6 +38,18 @@ Error errorOf(Errc code, std::string subject = {}) {
     error.code = code;
     error.subject = std::move(subject);
     return error;
+}
+
+/// Whether every robot has been told to brake since then.
+bool isAtRest(const thunderbots::Snapshot& state, TimePoint since) {
+    return std::all_of(state.robots.begin(), state.robots.end(),
+                       [since](const thunderbots::RobotState& robot) {
+                           return robot.told == thunderbots::wire::brakedBlock() && robot.toldAt >= since;
+                       });
+}
+/// Whether the robot has confirmed Stop, or says that nothing executes.
+bool isAtRest(const motionplan::Snapshot& state, TimePoint since) {
+    return state.stopSentAt >= since && !state.active() && !state.request;
 }
 
 }  // namespace
@@ -80,7 +94,6 @@ Outcome SessionRunner::connect() {
 }
 
 Outcome SessionRunner::connect(const LinkUri& uri) {
-    using thunderbots::LinkState;
     uri_ = uri;
     const auto opened = engine_.connect(uri);
     if (!opened) return failed(opened.error());
@@ -94,17 +107,17 @@ Outcome SessionRunner::connect(const LinkUri& uri) {
             if (refusal) return true;
             const SessionSnapshot* current = session();
             if (current == nullptr) return false;
-            const LinkState link = state().link;
-            return link == LinkState::Failed || link == LinkState::Searching ||
-                   (link == LinkState::Running && snapshot_->heartbeatFresh);
+            const Standing link = standing();
+            return link.failed || link.searching || (link.running && snapshot_->heartbeatFresh);
         },
         kConnectLimit);
     if (!decided) return tl::unexpected(decided.error());
     // A link that this program does not have was typed wrong; everything else is the link's own failure.
     if (refusal) return refusedInput(*refusal);
     if (!*decided) return failed(errorOf(Errc::TimedOut, toString(uri)));
-    if (state().error) return failed(*state().error);
-    if (state().link != LinkState::Running) return failed(errorOf(Errc::NoDevice, toString(uri)));
+    const Standing link = standing();
+    if (link.error) return failed(*link.error);
+    if (!link.running) return failed(errorOf(Errc::NoDevice, toString(uri)));
     running_ = true;
     return {};
 }
@@ -154,8 +167,8 @@ Outcome SessionRunner::settle() {
     return {};
 }
 
-Outcome SessionRunner::perform(const thunderbots::Command& command, Duration limit) {
-    const auto id = engine_.submit(session_, SystemCommand(command));
+Outcome SessionRunner::perform(const SystemCommand& command, Duration limit) {
+    const auto id = engine_.submit(session_, command);
     if (!id) return failed(id.error());
     std::optional<Result<void>> result;
     const auto answered = waitUntil(
@@ -197,9 +210,9 @@ Outcome SessionRunner::trouble() const {
         return tl::unexpected(std::move(failure));
     }
     if (session() == nullptr) return failed(errorOf(Errc::NotConnected));
-    if (state().link == thunderbots::LinkState::Failed && state().error) return failed(*state().error);
-    if (!watchesOnly_ && state().link == thunderbots::LinkState::Searching)
-        return failed(errorOf(Errc::Disconnected));
+    const Standing link = standing();
+    if (link.failed && link.error) return failed(*link.error);
+    if (!watchesOnly_ && link.searching) return failed(errorOf(Errc::Disconnected));
     return {};
 }
 
@@ -210,11 +223,16 @@ const SessionSnapshot* SessionRunner::session() const {
     return found == sessions.end() ? nullptr : &*found;
 }
 
-const thunderbots::Snapshot& SessionRunner::state() const {
-    static const thunderbots::Snapshot kNothing;
-    const SessionSnapshot* current = session();
-    const auto* system = current == nullptr ? nullptr : std::get_if<thunderbots::Snapshot>(&current->system);
-    return system == nullptr ? kNothing : *system;
+SessionRunner::Standing SessionRunner::standing() const {
+    const SessionSnapshot* const current = session();
+    if (current == nullptr) return {};
+    return std::visit(
+        [](const auto& state) {
+            using State = decltype(state.link);
+            return Standing{state.link == State::Running, state.link == State::Searching,
+                            state.link == State::Failed, state.error};
+        },
+        current->system);
 }
 
 void SessionRunner::refresh() {
@@ -225,11 +243,10 @@ void SessionRunner::refresh() {
         observer_(event.value);
 }
 
-bool SessionRunner::allToldToBrake(TimePoint since) const {
-    const auto& robots = state().robots;
-    return std::all_of(robots.begin(), robots.end(), [since](const thunderbots::RobotState& robot) {
-        return robot.told == thunderbots::wire::brakedBlock() && robot.toldAt >= since;
-    });
+bool SessionRunner::atRest(TimePoint since) const {
+    const SessionSnapshot* const current = session();
+    return current != nullptr &&
+           std::visit([since](const auto& state) { return isAtRest(state, since); }, current->system);
 }
 
 bool SessionRunner::finish() {
@@ -238,17 +255,29 @@ bool SessionRunner::finish() {
     observer_ = nullptr;
     const TimePoint stopped = engine_.now();
     engine_.stop(StopReason::Person);
-    const TimePoint end = stopped + kBrakeLimit;
+    const TimePoint end = stopped + brakeLimit();
     // A second signal must not cut this short: it is what every ending is for.
     while (running_ && !braked_ && engine_.now() < end) {
         engine_.heartbeat();
         refresh();
-        braked_ = allToldToBrake(stopped);
-        if (state().link != thunderbots::LinkState::Running) break;
+        braked_ = atRest(stopped);
+        if (!standing().running) break;
         if (!braked_) context_.interruption.wait(kTick);
     }
     engine_.shutdown();
     return braked_;
+}
+
+Duration SessionRunner::brakeLimit() const {
+    const SessionSnapshot* const current = session();
+    const bool plans = current != nullptr && std::holds_alternative<motionplan::Snapshot>(current->system);
+    return plans ? kStopPlanLimit : kBrakeLimit;
+}
+
+void SessionRunner::leave() {
+    if (std::exchange(finished_, true)) return;
+    observer_ = nullptr;
+    engine_.shutdown();
 }
 
 }  // namespace kickstand::ctl

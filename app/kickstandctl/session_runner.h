@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/kickstandctl/command.h"
@@ -35,12 +36,20 @@ class SessionRunner {
     /// Waits until nothing new comes: every robot that is heard has readings, or two seconds have passed.
     Outcome settle();
     /// Hands in a command and waits for its answer.
-    Outcome perform(const thunderbots::Command& command, Duration limit = std::chrono::seconds(5));
+    Outcome perform(const SystemCommand& command, Duration limit = std::chrono::seconds(5));
     /// True when `met` came true, false when the time was over first.
     Expected<bool> waitUntil(const std::function<bool()>& met, Duration limit);
 
     /// What the link showed last. Only after connect().
-    const thunderbots::Snapshot& state() const;
+    const thunderbots::Snapshot& state() const { return stateOf<thunderbots::Snapshot>(); }
+    /// The same for any system; a default one where the link is of another.
+    template <class Snapshot>
+    const Snapshot& stateOf() const {
+        static const Snapshot kNothing;
+        const SessionSnapshot* const current = session();
+        const auto* const system = current == nullptr ? nullptr : std::get_if<Snapshot>(&current->system);
+        return system == nullptr ? kNothing : *system;
+    }
     const thunderbots::RobotState& robot(int number) const {
         return state().robots[static_cast<std::size_t>(number)];
     }
@@ -52,11 +61,23 @@ class SessionRunner {
     /// STOP for all robots, waits until the link has taken it, and closes. True when every robot was told to
     /// brake; false when the link could not be asked any more. Bounded; safe to call twice.
     bool finish();
+    /// Closes without STOP: for what has moved nothing and is not to stop what others have set going.
+    void leave();
 
   private:
+    /// How the link stands, whichever system it is of.
+    struct Standing {
+        bool running = false;
+        bool searching = false;
+        bool failed = false;
+        std::optional<Error> error{};
+    };
+    Standing standing() const;
+    /// How long the robots' being told, or their word that they stand, is waited for at the end.
+    Duration brakeLimit() const;
     Outcome trouble() const;
     const SessionSnapshot* session() const;
-    bool allToldToBrake(TimePoint since) const;
+    bool atRest(TimePoint since) const;
     void refresh();
 
     const Context& context_;

@@ -94,6 +94,20 @@ const char* name(Errc code) {
             return "not-verified";
         case Errc::WrongSignature:
             return "wrong-signature";
+        case Errc::NoMovementCode:
+            return "no-movement-code";
+        case Errc::PlanRefused:
+            return "plan-refused";
+        case Errc::WouldBeRefused:
+            return "would-be-refused";
+        case Errc::PlanExecuting:
+            return "plan-executing";
+        case Errc::EchoDiffers:
+            return "echo-differs";
+        case Errc::Unconfirmed:
+            return "unconfirmed";
+        case Errc::NxtRefused:
+            return "nxt-refused";
     }
     return "unknown";
 }

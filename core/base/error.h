@@ -59,6 +59,14 @@ enum class Errc : std::uint8_t {
     AlreadyThere,
     NotVerified,
     WrongSignature,
+    // Motion plans.
+    NoMovementCode,
+    PlanRefused,
+    WouldBeRefused,
+    PlanExecuting,
+    EchoDiffers,
+    Unconfirmed,
+    NxtRefused,
 };
 
 /// An error as a value: what kind, and the facts of this case. Plain, copyable, usable from any thread.

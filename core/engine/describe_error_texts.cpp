@@ -237,6 +237,42 @@ constexpr ErrorText kFirmware[] = {
      QT_TRANSLATE_NOOP("Error", "Start the upload again.")},
 };
 
+// Motion plans.
+constexpr ErrorText kPlans[] = {
+    {Errc::NoMovementCode,
+     QT_TRANSLATE_NOOP("Error", "Step {place}, “{subject}”, has no code that the robot knows."),
+     QT_TRANSLATE_NOOP("Error", "Write in its place: {detail}.")},
+    {Errc::NoMovementCode, QT_TRANSLATE_NOOP("Error", "The movement[ “{subject}”] has no code."),
+     QT_TRANSLATE_NOOP("Error", "Choose a distance or an angle from the tables.")},
+    {Errc::PlanRefused, QT_TRANSLATE_NOOP("Error", "The robot refused: {detail} (error {got})."),
+     QT_TRANSLATE_NOOP("Error", "Query the slot to see what is in it, then try again.")},
+    {Errc::PlanRefused, QT_TRANSLATE_NOOP("Error", "The robot refused."),
+     QT_TRANSLATE_NOOP("Error", "Query the slot to see what is in it, then try again.")},
+    {Errc::WouldBeRefused,
+     QT_TRANSLATE_NOOP("Error", "Not sent, because the robot would refuse it: {detail} (error {got})."),
+     QT_TRANSLATE_NOOP("Error",
+                       "Choose an empty slot to create, or the ID of the plan in it to update or execute.")},
+    {Errc::WouldBeRefused, QT_TRANSLATE_NOOP("Error", "Not sent, because the robot would refuse it."),
+     QT_TRANSLATE_NOOP("Error", "Query the slot to see what is in it.")},
+    {Errc::PlanExecuting, QT_TRANSLATE_NOOP("Error", "A plan is executing already, or may be."),
+     QT_TRANSLATE_NOOP("Error", "Stop it first.")},
+    {Errc::EchoDiffers,
+     QT_TRANSLATE_NOOP("Error",
+                       "The robot confirmed something else than was sent[ ({subject})][: {detail}]."),
+     QT_TRANSLATE_NOOP("Error",
+                       "Send it again; if what is missing begins at a zero byte, the robot's program reads "
+                       "its mailbox as text.")},
+    {Errc::Unconfirmed,
+     QT_TRANSLATE_NOOP("Error",
+                       "Nothing came back that says whether it arrived[ ({subject})], and it is not sent "
+                       "again unasked."),
+     QT_TRANSLATE_NOOP("Error", "Look at the robot: if it does not do it, ask again.")},
+    {Errc::NxtRefused, QT_TRANSLATE_NOOP("Error", "The NXT answers that {detail} (status {got})."),
+     QT_TRANSLATE_NOOP("Error", "Start the robot's program on it, then try again.")},
+    {Errc::NxtRefused, QT_TRANSLATE_NOOP("Error", "The NXT refuses to answer."),
+     QT_TRANSLATE_NOOP("Error", "Start the robot's program on it, then try again.")},
+};
+
 template <std::size_t... Sizes>
 constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
     std::array<ErrorText, (Sizes + ...)> all{};
@@ -248,7 +284,7 @@ constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
     (append(groups), ...);
     return all;
 }
-constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware);
+constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware, kPlans);
 
 }  // namespace
 

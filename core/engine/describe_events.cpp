@@ -7,6 +7,7 @@
 #include "core/engine/describe_check.h"
 #include "core/engine/describe_facts.h"
 #include "core/engine/describe_flash.h"
+#include "core/engine/describe_motionplan.h"
 #include "core/engine/describe_parameters.h"
 #include "core/thunderbots/wire/faults.h"
 #include "core/thunderbots/wire/readings.h"
@@ -252,6 +253,10 @@ EventText textOf(const thunderbots::Event& event) {
         if (auto text = group(event)) return *std::move(text);
     }
     return troubleEvent(event);
+}
+
+EventText textOf(const motionplan::Event& event) {
+    return describeMotionplanEvent(event);
 }
 
 EventText textOf(const EngineNote& note) {

@@ -119,9 +119,25 @@ std::vector<Finding> diagnoseSession(const LinkUri& uri, const thunderbots::Snap
     return findings;
 }
 
+/// A session over a serial line, whose link stands in one of the states that every link knows.
+std::vector<Finding> diagnoseSession(const LinkUri& uri, const motionplan::Snapshot& state) {
+    const bool running = state.link == motionplan::LinkState::Running;
+    Finding link = finding(Check::Link, running ? CheckState::Ok : CheckState::Warning);
+    link.link = uri;
+    link.port = state.port.port;
+    link.error = state.error;
+    if (state.error) link.state = CheckState::Problem;
+    if (running) link.linkState = LinkState::Running;
+    if (state.link == motionplan::LinkState::Opening) link.linkState = LinkState::Opening;
+    if (state.link == motionplan::LinkState::Searching) link.linkState = LinkState::Searching;
+    return {link};
+}
+
 bool looksRunning(const SessionSnapshot& session) {
     const auto* state = std::get_if<thunderbots::Snapshot>(&session.system);
-    return state != nullptr && state->link == LinkState::Running;
+    const auto* plans = std::get_if<motionplan::Snapshot>(&session.system);
+    return (state != nullptr && state->link == LinkState::Running) ||
+           (plans != nullptr && plans->link == motionplan::LinkState::Running);
 }
 
 }  // namespace

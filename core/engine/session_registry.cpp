@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/motionplan/session.h"
 #include "core/thunderbots/session.h"
 
 namespace kickstand {
@@ -31,6 +32,33 @@ Result<MadeSession> makeThunderbots(const LinkUri& uri, LinkProvider& links,
     return made;
 }
 
+/// A session that works over one serial line.
+template <class Session, class SystemCommandType>
+Result<MadeSession> makeOnLine(const LinkUri& uri, LinkProvider& links,
+                               const SessionEnvironment& environment) {
+    auto provided = links.makeByteLink(uri, environment.scheduler);
+    if (!provided) return fail(provided.error());
+    MadeSession made;
+    made.keepAlive = std::move(provided->keepAlive);
+    made.sim = provided->sim;
+    typename Session::Host host{environment.scheduler, environment.stop, environment.samples,
+                                environment.event, environment.answer};
+    made.session = std::make_unique<SystemSessionOf<Session, SystemCommandType>>(std::move(host),
+                                                                                 std::move(provided->link));
+    return made;
+}
+
+/// Whether a URI is of the system that is simulated, and spoken to over a serial port, under this name.
+bool isOnLine(const LinkUri& uri, std::string_view system) {
+    if (uri.scheme == "sim") return uri.target == system;
+    const auto protocol = uri.options.find("protocol");
+    return uri.scheme == "serial" && protocol != uri.options.end() && protocol->second == system;
+}
+
+bool isMotionplan(const LinkUri& uri) {
+    return isOnLine(uri, "motionplan");
+}
+
 bool isThunderbots(const LinkUri& uri) {
     if (uri.scheme == "sim") return uri.target == "thunderbots";
     return uri.scheme == "usb" || uri.scheme == "usb-cable" || uri.scheme == "usbip";
@@ -38,6 +66,7 @@ bool isThunderbots(const LinkUri& uri) {
 
 constexpr std::array kSystems{
     System{"thunderbots", isThunderbots, makeThunderbots},
+    System{"motionplan", isMotionplan, makeOnLine<motionplan::Session, motionplan::Command>},
 };
 
 }  // namespace

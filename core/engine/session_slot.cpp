@@ -49,6 +49,27 @@ std::optional<Mark> markOf(const thunderbots::Event& event) {
     }
 }
 
+std::optional<Mark> markOf(const motionplan::Event& event) {
+    using Kind = motionplan::EventKind;
+    Mark mark;
+    mark.time = event.time;
+    switch (event.kind) {
+        case Kind::Connected:
+            mark.kind = MarkKind::LinkUp;
+            return mark;
+        case Kind::LinkLost:
+        case Kind::Disconnected:
+            mark.kind = MarkKind::LinkDown;
+            return mark;
+        case Kind::Refused:
+            mark.kind = MarkKind::DeviceError;
+            mark.value = static_cast<float>(event.code);
+            return mark;
+        default:
+            return std::nullopt;
+    }
+}
+
 }  // namespace
 
 SessionSlot::SessionSlot(SessionId id, LinkUri uri, std::function<void(EngineEvent)> event,

@@ -2,6 +2,9 @@
 
 #include <variant>
 
+#include "core/motionplan/commands.h"
+#include "core/motionplan/events.h"
+#include "core/motionplan/snapshot.h"
 #include "core/thunderbots/commands.h"
 #include "core/thunderbots/events.h"
 #include "core/thunderbots/snapshot.h"
@@ -10,8 +13,8 @@ namespace kickstand {
 
 // The systems that the engine knows. A new one adds an alternative to each line here, and a line to
 // core/engine/session_registry.cpp.
-using SystemCommand = std::variant<thunderbots::Command>;
-using SystemEvent = std::variant<thunderbots::Event>;
-using SystemSnapshot = std::variant<thunderbots::Snapshot>;
+using SystemCommand = std::variant<thunderbots::Command, motionplan::Command>;
+using SystemEvent = std::variant<thunderbots::Event, motionplan::Event>;
+using SystemSnapshot = std::variant<thunderbots::Snapshot, motionplan::Snapshot>;
 
 }  // namespace kickstand

@@ -53,7 +53,8 @@ TEST(Composition, RefusesEverythingElse) {
 
 TEST(Composition, NamesWhatItWouldTake) {
     EXPECT_EQ(checkLink(*parseLinkUri("tcp:host")).error().detail,
-              "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, sim:thunderbots");
+              "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, sim:thunderbots, "
+              "sim:motionplan");
 }
 
 TEST(Composition, MakesASimulatedDongleThatOpens) {

@@ -55,7 +55,7 @@ const BadUsage kLinks[] = {
     {"EmptyLink", {"--link", "", "thunderbots", "status"}, "is not a link"},
     {"UnknownScheme",
      {"--link", "tcp:1.2.3.4", "thunderbots", "status"},
-     "Accepted: usb:, usb-cable:, usbip:HOST:PORT/BUSID, sim:thunderbots."},
+     "Accepted: usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, sim:thunderbots"},
     {"UnknownSystem", {"--link", "sim:nothing", "thunderbots", "status"}, "sim:thunderbots"},
     {"UnknownUsbOption", {"--link", "usb:?serial=3", "thunderbots", "status"}, "Accepted: port"},
     {"EmptyPort", {"--link", "usb:?port=", "thunderbots", "status"}, "Accepted: port"},

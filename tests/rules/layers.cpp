@@ -8,9 +8,17 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 24> kUiValueHeaders{
+constexpr std::array<std::string_view, 32> kUiValueHeaders{
     "core/link/link_uri.h",
     "core/link/sim_action.h",
+    "core/motionplan/commands.h",
+    "core/motionplan/events.h",
+    "core/motionplan/path.h",
+    "core/motionplan/plan.h",
+    "core/motionplan/snapshot.h",
+    "core/motionplan/wire/movement.h",
+    "core/motionplan/wire/nxt_status.h",
+    "core/motionplan/wire/plan_text.h",
     "core/thunderbots/types.h",
     "core/thunderbots/commands.h",
     "core/thunderbots/snapshot.h",

@@ -26,7 +26,7 @@ class Given {
     Result<int> number(const char* name, int lowest, int highest, int otherwise,
                        std::span<const char* const> labels = {}) const {
         const std::string* const text = find(name);
-        const auto value = text == nullptr ? Result<int>(otherwise) : read(name, *text, labels);
+        auto value = text == nullptr ? Result<int>(otherwise) : read(name, *text, labels);
         if (!value) return value;
         if (*value >= lowest && *value <= highest) return value;
         return fail(

@@ -5,7 +5,7 @@ namespace {
 
 constexpr NxtStatus kStatuses[] = {
     {kStatusSuccess, "success", "done"},
-    {0x20, "pending", "an earlier transaction is still in progress"},
+    {kStatusPending, "pending", "an earlier transaction is still in progress"},
     {kStatusMailboxEmpty, "mailbox-empty", "the mailbox is empty"},
     {0xBD, "failed", "the request failed, as when a file is not there"},
     {kStatusUnknownCommand, "unknown-command", "the command is not known to it"},

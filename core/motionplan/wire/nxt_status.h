@@ -13,6 +13,8 @@ struct NxtStatus {
 };
 
 inline constexpr std::uint8_t kStatusSuccess = 0x00;
+/// It is still busy with something before: to be asked again.
+inline constexpr std::uint8_t kStatusPending = 0x20;
 /// What MessageRead answers where there is nothing to read.
 inline constexpr std::uint8_t kStatusMailboxEmpty = 0x40;
 /// No program runs on the robot: nobody fills or empties its mailboxes.

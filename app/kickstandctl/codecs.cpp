@@ -1,0 +1,61 @@
+#include "app/kickstandctl/codecs.h"
+
+#include "core/motionplan/wire/named.h"
+#include "core/thunderbots/wire/fields.h"
+
+namespace kickstand::ctl {
+namespace {
+
+std::vector<CodecMessage> thunderbotsMessages() {
+    namespace wire = thunderbots::wire;
+    std::vector<CodecMessage> messages;
+    for (const wire::MessageSpec& message : wire::messages()) {
+        CodecMessage listed{message.name, {}};
+        for (const wire::FieldSpec& field : message.fields) {
+            // What a person neither gives nor needs to read.
+            const bool fixed =
+                field.kind == wire::FieldKind::Reserved || field.kind == wire::FieldKind::Opcode;
+            if (!fixed) listed.fields.emplace_back(field.name);
+        }
+        messages.push_back(std::move(listed));
+    }
+    return messages;
+}
+
+std::vector<CodecMessage> motionplanMessages() {
+    std::vector<CodecMessage> messages;
+    for (const motionplan::wire::NamedSpec& telegram : motionplan::wire::namedTelegrams())
+        messages.push_back({telegram.name, telegram.fields});
+    return messages;
+}
+
+Result<std::vector<CodecField>> decodeMotionplan(std::string_view name, ByteView bytes) {
+    auto fields = motionplan::wire::decodeNamed(name, bytes);
+    if (!fields) return fail(std::move(fields.error()));
+    std::vector<CodecField> decoded;
+    for (motionplan::wire::NamedField& field : *fields)
+        decoded.push_back({std::move(field.name), field.value, field.isBytes, std::move(field.bytes),
+                           field.physical, std::move(field.unit), std::move(field.label),
+                           std::move(field.description)});
+    return decoded;
+}
+
+constexpr Codec kCodecs[] = {
+    {"thunderbots", thunderbotsMessages, thunderbots::wire::decodeMessage, thunderbots::wire::encodeMessage},
+    {"motionplan", motionplanMessages, decodeMotionplan, motionplan::wire::encodeNamed},
+};
+
+}  // namespace
+
+std::span<const Codec> codecs() {
+    return kCodecs;
+}
+
+const Codec& codecFor(std::string_view message) {
+    for (const Codec& codec : kCodecs) {
+        if (message.substr(0, message.find('.')) == codec.system) return codec;
+    }
+    return kCodecs[0];
+}
+
+}  // namespace kickstand::ctl

@@ -1,0 +1,255 @@
+#include "core/motionplan/exchange.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/hex.h"
+#include "core/motionplan/wire/nxt_status.h"
+
+namespace kickstand::motionplan {
+namespace {
+
+using wire::MessageKind;
+
+bool same(ByteView a, ByteView b) {
+    return std::ranges::equal(a, b);
+}
+
+std::string hexOrNothing(ByteView bytes) {
+    return bytes.empty() ? "nothing" : toHex(bytes);
+}
+
+tl::unexpected<Error> refusal(int code) {
+    return fail({.code = Errc::PlanRefused,
+                 .subject = wire::errorCode(code).id,
+                 .got = code,
+                 .detail = wire::errorCode(code).text});
+}
+
+}  // namespace
+
+Exchange::Exchange(Request request, TimePoint now, std::function<bool(ByteView)> isLate)
+    : request_(std::move(request)), isLate_(std::move(isLate)) {
+    if (request_.readsTrigger) {
+        enter(Phase::Echo, now + kEchoLimit);
+        attempts_ = 1;
+        return;
+    }
+    const auto bytes = wire::encodeMessage(request_.message);
+    if (!bytes) {
+        finish(fail(bytes.error()));
+        return;
+    }
+    bytes_ = *bytes;
+    // The trigger plan has an outbox of its own, which holds one message and is no queue.
+    if (request_.urgent || request_.message.kind == MessageKind::Trigger)
+        send(now);
+    else
+        enter(Phase::Drain, now + kDrainLimit);
+}
+
+std::optional<wire::Message> Exchange::takeMessage() {
+    return std::exchange(outgoing_, std::nullopt);
+}
+
+bool Exchange::readsTriggerBox() const {
+    return !done() && (request_.readsTrigger || request_.message.kind == MessageKind::Trigger);
+}
+
+bool Exchange::neverAgain() const {
+    return request_.message.kind == MessageKind::Execute || request_.message.kind == MessageKind::Adjust;
+}
+
+int Exchange::attemptsAllowed() const {
+    return request_.urgent ? kStopAttempts : kAttempts;
+}
+
+void Exchange::enter(Phase phase, TimePoint deadline) {
+    phase_ = phase;
+    deadline_ = deadline;
+}
+
+void Exchange::finish(Result<void> result) {
+    phase_ = Phase::Done;
+    result_ = std::move(result);
+}
+
+void Exchange::abort(Errc code) {
+    if (!done()) finish(fail(code, wire::name(request_.message.kind)));
+}
+
+void Exchange::send(TimePoint now) {
+    outgoing_ = request_.message;
+    ++attempts_;
+    enter(Phase::Echo, now + kEchoLimit);
+}
+
+void Exchange::emptied(TimePoint now) {
+    if (phase_ != Phase::Drain) return;
+    if (slotQueries_ == 0) {
+        send(now);
+        return;
+    }
+    wire::Message query;
+    query.kind = MessageKind::Query;
+    query.plan = wire::kDummyPlan;
+    query.slot = request_.message.slot;
+    outgoing_ = query;
+    enter(Phase::SlotAnswer, now + kEchoLimit);
+}
+
+void Exchange::echoed(TimePoint now) {
+    if (request_.message.kind == MessageKind::Query)
+        enter(Phase::Answer, now + kEchoLimit);
+    else
+        enter(Phase::Verdict, now + kVerdictLimit);
+}
+
+bool Exchange::takeError(int code) {
+    if (wire::errorCode(code).about != request_.message.kind) return false;
+    // A Stop that was sent again after it had worked finds nothing to stop.
+    wasIdle_ = code == wire::kErrorStopIdle;
+    if (wasIdle_ && (request_.urgent || attempts_ > 1))
+        finish({});
+    else
+        finish(refusal(code));
+    return true;
+}
+
+bool Exchange::takeStatus(const wire::Message& status) {
+    const wire::Message& asked = request_.message;
+    if (asked.kind == MessageKind::Execute && status.step > 0 && status.plan == asked.plan &&
+        status.slot == asked.slot) {
+        finish({});
+        return true;
+    }
+    if (asked.kind == MessageKind::Stop && status.step == 0 && phase_ == Phase::Verdict) {
+        finish({});
+        return true;
+    }
+    return false;
+}
+
+void Exchange::differs(ByteView got) {
+    finish(fail({.code = Errc::EchoDiffers,
+                 .subject = wire::name(request_.message.kind),
+                 .detail = "sent " + toHex(bytes_.view()) + ", got " + hexOrNothing(got)}));
+}
+
+bool Exchange::received(ByteView bytes, TimePoint now) {
+    // Before anything was sent nothing that comes belongs here; afterwards it does while drained too.
+    if (done() || attempts_ == 0 || request_.readsTrigger) return false;
+    if (same(bytes, bytes_.view())) {
+        if (phase_ != Phase::Answer && phase_ != Phase::Verdict) echoed(now);
+        return true;
+    }
+    const auto message = wire::decodeMessage(bytes);
+    if (message && message->kind == MessageKind::Error) return takeError(message->error);
+    if (message && message->kind == MessageKind::Status) return takeStatus(*message);
+    if (message && message->kind == MessageKind::Query) return takeQuery(*message, now);
+    if (phase_ != Phase::Echo || request_.message.kind == MessageKind::Trigger || isLate_(bytes))
+        return false;
+    // A copy of what was sent, and not the same: the robot has understood something else.
+    if (!bytes.empty() && bytes[0] != bytes_[0]) return false;
+    differs(bytes);
+    return true;
+}
+
+bool Exchange::takeQuery(const wire::Message& message, TimePoint now) {
+    if (message.slot != request_.message.slot) return false;
+    const bool echo = message.plan == wire::kDummyPlan;
+    if (phase_ == Phase::SlotAnswer) {
+        if (!echo) slotKnown(message.plan, now);
+        return true;
+    }
+    if (request_.message.kind != MessageKind::Query) return false;
+    answeredPlan_ = message.plan;
+    finish({});
+    return true;
+}
+
+void Exchange::triggerRead(ByteView message) {
+    if (!readsTriggerBox()) return;
+    triggerContent_.clear();
+    hasTriggerContent_ = triggerContent_.append(message);
+    if (request_.readsTrigger || same(message, bytes_.view())) finish({});
+}
+
+void Exchange::nxtRefused(std::uint8_t status) {
+    if (done()) return;
+    // What is urgent is tried again whatever the NXT says.
+    if (request_.urgent) return;
+    finish(fail({.code = Errc::NxtRefused,
+                 .subject = wire::nxtStatus(status).id,
+                 .got = status,
+                 .detail = wire::nxtStatus(status).text}));
+}
+
+void Exchange::slotKnown(int plan, TimePoint now) {
+    answeredPlan_ = plan;
+    slotQueries_ = 0;
+    const wire::Message& asked = request_.message;
+    const bool create = asked.kind == MessageKind::Create;
+    if (create && plan == asked.plan)
+        finish({});
+    else if (plan == (create ? wire::kNoPlan : asked.plan))
+        attempts_ < attemptsAllowed() ? enter(Phase::Drain, now + kDrainLimit)
+                                      : finish(fail(Errc::Unconfirmed, wire::name(asked.kind)));
+    else if (create)
+        finish(refusal(wire::kErrorSlotFull));
+    else
+        finish(refusal(plan == wire::kNoPlan ? wire::kErrorUpdateEmptySlot : wire::kErrorUpdateOtherPlan));
+}
+
+void Exchange::unanswered(TimePoint now) {
+    const MessageKind kind = request_.message.kind;
+    if (request_.readsTrigger) {
+        finish(fail(Errc::TimedOut, "trigger"));
+    } else if (neverAgain()) {
+        enter(Phase::Status, now + kStatusLimit);
+    } else if (kind == MessageKind::Create || kind == MessageKind::Update) {
+        // Whether it came is asked for before it is sent again.
+        slotQueries_ = 1;
+        enter(Phase::Drain, now + kDrainLimit);
+    } else if (attempts_ < attemptsAllowed()) {
+        if (request_.urgent || kind == MessageKind::Trigger)
+            send(now);
+        else
+            enter(Phase::Drain, now + kDrainLimit);
+    } else if (kind == MessageKind::Trigger && hasTriggerContent_) {
+        differs(triggerContent_.view());
+    } else {
+        finish(fail(kind == MessageKind::Query ? Errc::TimedOut : Errc::Unconfirmed, wire::name(kind)));
+    }
+}
+
+void Exchange::tick(TimePoint now) {
+    if (done() || now < deadline_) return;
+    switch (phase_) {
+        case Phase::Drain:
+            // The outbox cannot be read, or never ends: nothing was sent.
+            finish(
+                fail(attempts_ == 0 ? Errc::TimedOut : Errc::Unconfirmed, wire::name(request_.message.kind)));
+            break;
+        case Phase::Echo:
+        case Phase::Answer:
+            unanswered(now);
+            break;
+        case Phase::Verdict:
+            finish({});
+            break;
+        case Phase::SlotAnswer:
+            if (++slotQueries_ <= kAttempts)
+                enter(Phase::Drain, now + kDrainLimit);
+            else
+                finish(fail(Errc::Unconfirmed, wire::name(request_.message.kind)));
+            break;
+        case Phase::Status:
+            finish(fail(Errc::Unconfirmed, wire::name(request_.message.kind)));
+            break;
+        case Phase::Done:
+            break;
+    }
+}
+
+}  // namespace kickstand::motionplan

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/motionplan/exchange.h"
+#include "core/motionplan/snapshot.h"
+#include "core/motionplan/wire/telegram_parser.h"
+
+namespace kickstand::motionplan {
+
+/// The host's side of the mailboxes: reads what the robot puts out, one read at a time, and carries one
+/// exchange after another (protocol 6). Told when bytes come and when time passes. Engine thread.
+class Station {
+  public:
+    using Done = std::function<void(const Exchange&)>;
+
+    /// What it is told and asked. All set, all outlive it.
+    struct Hooks {
+        std::function<Result<void>(ByteView)> write;
+        /// Whether a message may leave now: STOP is looked at here, at the last moment.
+        std::function<bool(const wire::Message&)> maySend;
+        /// Every message that the robot has put out, expected or not. `belonged`: to the exchange.
+        std::function<void(const wire::Message&, bool belonged)> message;
+        /// What a mailbox held that is no message.
+        std::function<void(const Error&)> malformed;
+        std::function<void(std::uint8_t status)> nxtStatus;
+        /// The NXT answers again (0), or has left this many reads in a row unanswered.
+        std::function<void(int missed)> answering;
+    };
+
+    // How long a read may take, how often the outbox is looked at while something is expected and while
+    // nothing is, and after how many unanswered reads the robot counts as silent (protocol 6.1).
+    static constexpr Duration kReadLimit = std::chrono::seconds(1);
+    static constexpr Duration kBusyPoll = std::chrono::milliseconds(60);
+    static constexpr Duration kIdlePoll = std::chrono::milliseconds(250);
+    static constexpr int kSilentAfter = 3;
+    static constexpr std::size_t kQueue = 32;
+
+    explicit Station(Hooks hooks) : hooks_(std::move(hooks)) {}
+
+    /// The line has been opened, or is gone: what waits ends with `why`, and nothing is left of before.
+    void reset(Errc why);
+    /// Queues a request. QueueFull is told by `done` too, on an exchange that never began.
+    Result<void> submit(Exchange::Request request, Done done);
+    /// Everything that waits ends with StopLatched, and Stop goes out before this returns.
+    void stopNow(TimePoint now, Done done);
+    /// Bytes from the robot.
+    void received(ByteView bytes, TimePoint now);
+    /// To be called every 10 ms or so while the line is open. `busy`: a status is expected.
+    void tick(TimePoint now, bool busy);
+
+    bool idle() const { return current_ == nullptr && queue_.empty(); }
+    std::optional<RequestState> request() const;
+    TrafficCounters traffic() const;
+
+  private:
+    struct Waiting {
+        Exchange::Request request;
+        Done done;
+    };
+
+    void take(const wire::Telegram& telegram, TimePoint now);
+    void take(const wire::ReadReply& reply, TimePoint now);
+    void takeCommandBox(ByteView content, TimePoint now);
+    void begin(Waiting waiting, TimePoint now);
+    void pump(TimePoint now);
+    void writeMessage(const wire::Message& message);
+    void endCurrent();
+    void read(TimePoint now);
+    bool isLate(ByteView bytes) const;
+
+    Hooks hooks_;
+    wire::TelegramParser parser_;
+    std::unique_ptr<Exchange> current_;
+    Done currentDone_;
+    TimePoint currentSince_{};
+    std::deque<Waiting> queue_;
+    std::deque<wire::MessageBytes> sent_;  ///< The newest, to know late copies by.
+    std::optional<TimePoint> readAt_;      ///< Of the read that is under way.
+    bool readTriggerBox_ = false;
+    TimePoint nextRead_{};
+    bool busy_ = false;
+    int missed_ = 0;
+    TrafficCounters counters_;
+};
+
+}  // namespace kickstand::motionplan

@@ -1,0 +1,243 @@
+// Every command while messages are lost, doubled and late.
+#include <gtest/gtest.h>
+
+#include "tests/session/plan_rig.h"
+
+namespace kickstand::testing {
+namespace {
+
+using namespace motionplan;
+using wire::MessageKind;
+using wire::Wheels;
+using namespace std::chrono_literals;
+
+/// A rig that runs, with plan 9 in slot 4, and that knows slots 3 and 4.
+struct Ready : PlanRig {
+    explicit Ready(const Movements& movements = kShort) {
+        EXPECT_TRUE(connect());
+        EXPECT_TRUE(create(9, 4, movements));
+        EXPECT_TRUE(ask(QuerySlot{3}));
+        forgetWritten();
+    }
+};
+
+TEST(PlanFaults, ACreateThatWasLostIsSentAgainAfterAQuery) {
+    Ready rig;
+    rig.simulate("lose-next", 1);
+    ASSERT_TRUE(rig.ask(CreatePlan{8, 3, PlanRig::kShort}));
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"00 08 03 0c 9e", "05 ff 03", "00 08 03 0c 9e"}));
+    EXPECT_EQ(rig.robot().kept()[3].id, 8);
+}
+
+TEST(PlanFaults, ACreateWhoseCopyWasLostIsNotSentAgain) {
+    Ready rig;
+    rig.simulate("lose-next-out", 1);
+    ASSERT_TRUE(rig.ask(CreatePlan{8, 3, PlanRig::kShort}));
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"00 08 03 0c 9e", "05 ff 03"}));
+    EXPECT_EQ(rig.state().slotStates[3].plan, 8);
+    EXPECT_EQ(rig.state().slotStates[3].movements.size(), 2U);
+}
+
+TEST(PlanFaults, AnUpdateWhoseCopyWasLostIsAskedForAndSentAgain) {
+    Ready rig;
+    rig.simulate("lose-next-out", 1);
+    ASSERT_TRUE(rig.ask(UpdatePlan{9, 4, {{Wheels::BothBack, 5}}}));
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"02 09 04 25", "05 ff 04", "02 09 04 25"}));
+    EXPECT_EQ(rig.robot().kept()[4].movements, (std::vector<std::uint8_t>{0x25}));
+}
+
+TEST(PlanFaults, AnExecuteThatWasLostIsNeverSentAgainAndThePersonIsAsked) {
+    Ready rig;
+    rig.simulate("lose-next", 1);
+    EXPECT_EQ(rig.refusal(ExecutePlan{9, 4}), Errc::Unconfirmed);
+    rig.advance(30s);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+    EXPECT_EQ(rig.count(EventKind::Unconfirmed), 1U);
+    EXPECT_EQ(rig.state().execution.state, Execution::State::Unsure);
+    EXPECT_TRUE(rig.session().active());
+    // Stop settles it: the robot says that nothing executes.
+    EXPECT_EQ(rig.refusal(StopPlan{}), Errc::PlanRefused);
+    EXPECT_FALSE(rig.session().active());
+}
+
+TEST(PlanFaults, AnExecuteWhoseCopyWasLostIsConfirmedByItsStatus) {
+    Ready rig(PlanRig::kLong);
+    rig.simulate("lose-next-out", 2);
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+    EXPECT_EQ(rig.state().execution.state, Execution::State::Runs);
+}
+
+TEST(PlanFaults, AnAdjustThatWasLostIsNeverSentAgain) {
+    Ready rig(PlanRig::kLong);
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("lose-next", 1);
+    EXPECT_EQ(rig.refusal(AdjustSpeed{Wheels::BothForward, 50}), Errc::Unconfirmed);
+    rig.advance(10s);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Adjust), 1U);
+    EXPECT_TRUE(rig.session().active());
+}
+
+TEST(PlanFaults, AQueryIsAskedAgain) {
+    Ready rig;
+    rig.simulate("lose-next", 2);
+    EXPECT_TRUE(rig.ask(QuerySlot{4}));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Query), 3U);
+    rig.simulate("lose-next", 3);
+    EXPECT_EQ(rig.refusal(QuerySlot{4}), Errc::TimedOut);
+}
+
+TEST(PlanFaults, AQueryWhoseCopyWasLostIsStillAnswered) {
+    Ready rig;
+    rig.simulate("lose-next-out", 1);
+    EXPECT_TRUE(rig.ask(QuerySlot{4}));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Query), 1U);
+    EXPECT_EQ(rig.state().slotStates[4].plan, 9);
+}
+
+TEST(PlanFaults, ATriggerPlanIsSentAgain) {
+    Ready rig;
+    rig.simulate("lose-next", 2);
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kShort}));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Trigger), 3U);
+    rig.simulate("lose-next", 3);
+    const auto result = rig.ask(SetTrigger{6, PlanRig::kShort});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Errc::EchoDiffers);
+    EXPECT_EQ(result.error().detail, "sent 08 06 0c 9e, got 08 07 0c 9e");
+}
+
+TEST(PlanFaults, AStopIsSentAgainAndAnErrorForTheSecondOneMeansThatTheFirstHasWorked) {
+    Ready rig(PlanRig::kLong);
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.advance(500ms);
+    rig.simulate("lose-next-out", 2);
+    EXPECT_TRUE(rig.ask(StopPlan{}));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 2U);
+    EXPECT_FALSE(rig.session().active());
+}
+
+TEST(PlanFaults, WhatWasLeftInTheOutboxIsProcessedBeforeAnythingIsSent) {
+    Ready rig;
+    rig.simulate("error", 7);
+    rig.simulate("error", 200);
+    // A copy of the very message that is about to be sent, left from another time.
+    wire::Message stale;
+    stale.kind = MessageKind::Create;
+    stale.plan = 8;
+    stale.slot = 3;
+    stale.movements = {0x0C, 0x9E};
+    rig.sim().program().command(wire::encodeMessage(stale)->view(), rig.scheduler().now());
+    rig.simulate("program", 0);
+    rig.simulate("program", 1);
+    rig.simulate("error", 7);
+    rig.simulate("lose-next", 1);
+    ASSERT_TRUE(rig.ask(CreatePlan{8, 3, PlanRig::kShort}));
+    EXPECT_EQ(rig.robot().kept()[3].id, 8);
+    EXPECT_EQ(rig.count(EventKind::Refused), 1U);
+}
+
+TEST(PlanFaults, DoubledMessagesChangeNothing) {
+    sim::NxtOptions options;
+    options.weather.duplicate = 1;
+    PlanRig rig(options);
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create());
+    ASSERT_TRUE(rig.create(8, 3));
+    ASSERT_TRUE(rig.ask(UpdatePlan{9, 4, PlanRig::kLong}));
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kShort}));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    ASSERT_TRUE(rig.ask(AdjustSpeed{Wheels::BothForward, 10}));
+    ASSERT_TRUE(rig.ask(StopPlan{}));
+    EXPECT_EQ(rig.count(EventKind::Differs), 0U);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Create), 2U);
+    EXPECT_EQ(rig.count(EventKind::Executing), 1U);
+    EXPECT_GT(rig.state().traffic.unexpected, 0U);
+}
+
+TEST(PlanFaults, LateMessagesAreWaitedFor) {
+    sim::NxtOptions options;
+    options.weather.delay = 700ms;
+    PlanRig rig(options);
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create());
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Create), 1U);
+}
+
+TEST(PlanFaults, ARobotThatFallsSilentIsSaidToAndComesBack) {
+    Ready rig;
+    rig.simulate("reply-loss", 1);
+    EXPECT_EQ(rig.refusal(QuerySlot{4}), Errc::TimedOut);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Silent) == 1; }));
+    EXPECT_FALSE(rig.state().answers);
+    rig.advance(60s);
+    EXPECT_EQ(rig.count(EventKind::Silent), 1U);
+    rig.simulate("reply-loss", 0);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Answers) == 1; }));
+    EXPECT_TRUE(rig.ask(QuerySlot{4}));
+}
+
+TEST(PlanFaults, AnExecutionThatFallsSilentIsSaidToBeStale) {
+    Ready rig(PlanRig::kLong);
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("loss", 1);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().execution.stale; }));
+    EXPECT_TRUE(rig.session().active());
+    EXPECT_EQ(rig.count(EventKind::Stale), 1U);
+    rig.simulate("loss", 0);
+    ASSERT_TRUE(rig.waitUntil([&] { return !rig.state().execution.stale; }));
+}
+
+/// A whole job, in any weather, ends in one way or the other: every command is answered once, nothing is
+/// executed twice, and what was said to be there is there.
+TEST(PlanFaults, WholeJobsInBadWeather) {
+    int done = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        sim::NxtOptions options;
+        options.seed = seed;
+        options.weather.loss = 0.15;
+        options.weather.replyLoss = 0.1;
+        options.weather.duplicate = 0.2;
+        options.weather.delay = std::chrono::milliseconds(seed % 4 * 100);
+        PlanRig rig(options);
+        ASSERT_TRUE(rig.connect()) << seed;
+        const auto created = rig.ask(CreatePlan{9, 4, PlanRig::kShort});
+        if (created) {
+            EXPECT_EQ(rig.robot().kept()[4].id, 9) << seed;
+        }
+        const auto updated = rig.ask(UpdatePlan{9, 4, {{Wheels::BothBack, 5}}});
+        if (updated) {
+            EXPECT_EQ(rig.robot().kept()[4].movements, (std::vector<std::uint8_t>{0x25})) << seed;
+        }
+        const auto executed = rig.ask(ExecutePlan{9, 4});
+        EXPECT_LE(rig.writtenOf(MessageKind::Execute), 1U) << seed;
+        for (const auto& result : {created, updated, executed}) {
+            if (result) continue;
+            const Errc code = result.error().code;
+            EXPECT_TRUE(code == Errc::Unconfirmed || code == Errc::TimedOut || code == Errc::WouldBeRefused)
+                << seed << ' ' << name(code) << ' ' << result.error().detail;
+        }
+        rig.stop();
+        rig.advance(20s);
+        EXPECT_FALSE(rig.robot().motion()) << seed;
+        done += executed ? 1 : 0;
+    }
+    // Most of them get through all the same.
+    EXPECT_GT(done, 30);
+}
+
+TEST(PlanFaults, NoTimersAreLeftBehind) {
+    Ready rig;
+    rig.advance(10s);
+    const std::size_t pending = rig.scheduler().pending();
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(rig.ask(QuerySlot{i % 5}));
+    rig.advance(10s);
+    EXPECT_LE(rig.scheduler().pending(), pending + 2);
+}
+
+}  // namespace
+}  // namespace kickstand::testing

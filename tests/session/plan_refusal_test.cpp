@@ -1,0 +1,265 @@
+// What the robot refuses, what is kept from it because it would, and what STOP does.
+#include <gtest/gtest.h>
+
+#include "core/motionplan/wire/nxt_status.h"
+#include "tests/session/plan_rig.h"
+
+namespace kickstand::testing {
+namespace {
+
+using namespace motionplan;
+using wire::MessageKind;
+using wire::Wheels;
+using namespace std::chrono_literals;
+
+/// The robot's error code that a command was refused with, or kept from.
+int codeOf(const Result<void>& result, Errc expected) {
+    if (result || result.error().code != expected) return -1;
+    return static_cast<int>(result.error().got.value_or(-2));
+}
+
+TEST(PlanRefusal, WhatTheRobotWouldRefuseIsNotSent) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create());
+    rig.forgetWritten();
+    const auto kept = [&](const Command& command) { return codeOf(rig.ask(command), Errc::WouldBeRefused); };
+    EXPECT_EQ(kept(CreatePlan{8, 4, PlanRig::kShort}), wire::kErrorSlotFull);
+    EXPECT_EQ(kept(UpdatePlan{8, 4, PlanRig::kShort}), wire::kErrorUpdateOtherPlan);
+    EXPECT_EQ(kept(ExecutePlan{8, 4}), wire::kErrorExecuteOtherPlan);
+    EXPECT_EQ(kept(AdjustSpeed{Wheels::BothForward, 10}), wire::kErrorAdjustIdle);
+    EXPECT_TRUE(rig.written().empty());
+    EXPECT_EQ(kept(UpdatePlan{8, 3, PlanRig::kShort}), wire::kErrorUpdateEmptySlot);
+    EXPECT_EQ(kept(ExecutePlan{8, 3}), wire::kErrorExecuteEmptySlot);
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"05 ff 03"}));
+}
+
+/// A rig that believes something of slot 4 that another hand has changed since.
+struct Deceived : PlanRig {
+    /// The session thinks the slot is empty (0) or holds 9, the robot has `really`.
+    bool prepare(int believed, int really) {
+        if (!connect()) return false;
+        if (believed != 0 && !create(believed, 4)) return false;
+        if (believed == 0 && !ask(QuerySlot{4})) return false;
+        simulate("program", 0);
+        simulate("program", 1);
+        if (really == 0) return true;
+        wire::Message message;
+        message.kind = MessageKind::Create;
+        message.plan = really;
+        message.slot = 4;
+        message.movements = {0x01};
+        sim().program().command(wire::encodeMessage(message)->view(), scheduler().now());
+        advance(3s);
+        return state().slotStates[4].plan == believed;
+    }
+};
+
+TEST(PlanRefusal, EveryErrorCodeIsHandledAndExplained) {
+    const std::vector<wire::Movement> plan = PlanRig::kShort;
+    {
+        Deceived rig;
+        ASSERT_TRUE(rig.prepare(0, 5));
+        EXPECT_EQ(codeOf(rig.ask(CreatePlan{9, 4, plan}), Errc::PlanRefused), wire::kErrorSlotFull);
+        EXPECT_EQ(rig.count(EventKind::Refused), 1U);
+        // It is asked for again next time.
+        EXPECT_EQ(codeOf(rig.ask(CreatePlan{9, 4, plan}), Errc::WouldBeRefused), wire::kErrorSlotFull);
+        EXPECT_EQ(rig.state().slotStates[4].plan, 5);
+    }
+    {
+        Deceived rig;
+        ASSERT_TRUE(rig.prepare(9, 5));
+        EXPECT_EQ(codeOf(rig.ask(UpdatePlan{9, 4, plan}), Errc::PlanRefused), wire::kErrorUpdateOtherPlan);
+    }
+    {
+        Deceived rig;
+        ASSERT_TRUE(rig.prepare(9, 0));
+        EXPECT_EQ(codeOf(rig.ask(UpdatePlan{9, 4, plan}), Errc::PlanRefused), wire::kErrorUpdateEmptySlot);
+    }
+    {
+        Deceived rig;
+        ASSERT_TRUE(rig.prepare(9, 5));
+        EXPECT_EQ(codeOf(rig.ask(ExecutePlan{9, 4}), Errc::PlanRefused), wire::kErrorExecuteOtherPlan);
+        EXPECT_FALSE(rig.session().active());
+    }
+    {
+        Deceived rig;
+        ASSERT_TRUE(rig.prepare(9, 0));
+        EXPECT_EQ(codeOf(rig.ask(ExecutePlan{9, 4}), Errc::PlanRefused), wire::kErrorExecuteEmptySlot);
+    }
+}
+
+TEST(PlanRefusal, StoppingOrAdjustingNothingIsSaid) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    EXPECT_EQ(codeOf(rig.ask(StopPlan{}), Errc::PlanRefused), wire::kErrorStopIdle);
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    // The robot has lost its plan, and nobody has heard of it yet.
+    rig.sim().program().restart();
+    EXPECT_EQ(codeOf(rig.ask(AdjustSpeed{Wheels::BothForward, 10}), Errc::PlanRefused),
+              wire::kErrorAdjustIdle);
+    EXPECT_FALSE(rig.session().active());
+}
+
+TEST(PlanRefusal, AnUpdateThatIsRefusedForNothingExecutingIsShownToo) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create());
+    rig.simulate("strict-update", 1);
+    EXPECT_EQ(codeOf(rig.ask(UpdatePlan{9, 4, PlanRig::kShort}), Errc::PlanRefused), wire::kErrorUpdateIdle);
+}
+
+TEST(PlanRefusal, ErrorsThatNobodyHasAskedForAreTold) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    for (int code = 0; code < 8; ++code)
+        rig.simulate("error", code), rig.advance(1s);
+    rig.simulate("error", 200);
+    rig.advance(1s);
+    EXPECT_EQ(rig.count(EventKind::Refused), 9U);
+    EXPECT_EQ(rig.events().back().code, 200);
+    EXPECT_EQ(rig.events().back().previous, 1);
+}
+
+TEST(PlanRefusal, WhatCannotBeAPlanIsRefusedAtOnce) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    EXPECT_EQ(rig.refusal(CreatePlan{9, 4, {}}), Errc::OutOfRange);
+    EXPECT_EQ(rig.refusal(CreatePlan{9, 4, PlanRig::Movements(56, {Wheels::BothForward, 1})}),
+              Errc::OutOfRange);
+    EXPECT_EQ(rig.refusal(CreatePlan{0, 4, PlanRig::kShort}), Errc::OutOfRange);
+    EXPECT_EQ(rig.refusal(CreatePlan{255, 4, PlanRig::kShort}), Errc::OutOfRange);
+    EXPECT_EQ(rig.refusal(CreatePlan{9, 5, PlanRig::kShort}), Errc::OutOfRange);
+    EXPECT_EQ(rig.refusal(QuerySlot{-1}), Errc::OutOfRange);
+    EXPECT_EQ(rig.refusal(ExecutePlan{9, 7}), Errc::OutOfRange);
+    const auto noCode = rig.ask(CreatePlan{9, 4, {{Wheels::BothForward, 25}, {Wheels::BothForward, 38}}});
+    EXPECT_EQ(noCode.error().code, Errc::NoMovementCode);
+    EXPECT_EQ(noCode.error().got, 1);
+    EXPECT_EQ(noCode.error().detail, "forward 35, forward 3");
+    EXPECT_EQ(rig.refusal(SetTrigger{9, PlanRig::Movements(56, {Wheels::BothForward, 1})}), std::nullopt);
+    EXPECT_EQ(rig.refusal(SetTrigger{9, PlanRig::Movements(57, {Wheels::BothForward, 1})}), Errc::OutOfRange);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Create), 0U);
+}
+
+TEST(PlanRefusal, ARobotThatReadsTextIsFoundOutByItsCopy) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.ask(QuerySlot{1}));
+    rig.simulate("text", 1);
+    const auto result = rig.ask(CreatePlan{9, 1, PlanRig::kShort});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Errc::EchoDiffers);
+    EXPECT_EQ(result.error().detail, "sent 00 09 01 0c 9e, got nothing");
+    EXPECT_EQ(rig.count(EventKind::Differs), 1U);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Create), 1U);
+}
+
+TEST(PlanRefusal, ARobotWithoutAProgramSaysSo) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    rig.simulate("program", 0);
+    const auto result = rig.ask(QuerySlot{1});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Errc::NxtRefused);
+    EXPECT_EQ(result.error().got, wire::kStatusNoProgram);
+    EXPECT_EQ(rig.state().nxtStatus, wire::kStatusNoProgram);
+    EXPECT_EQ(rig.count(EventKind::NxtStatus), 1U);
+    rig.simulate("program", 1);
+    EXPECT_TRUE(rig.ask(QuerySlot{1}));
+}
+
+TEST(PlanRefusal, OnlyOnePlanIsExecutedAtATime) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    EXPECT_EQ(rig.refusal(ExecutePlan{9, 4}), Errc::PlanExecuting);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+}
+
+TEST(PlanStop, GoesOutAtOnceAndIsConfirmed) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.forgetWritten();
+    rig.stop();
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"01"}));
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 1s));
+    EXPECT_FALSE(rig.robot().motion());
+    EXPECT_FALSE(rig.session().active());
+}
+
+TEST(PlanStop, DropsWhatWaitsAndStaysUntilRearmed) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create());
+    const CommandId waiting = rig.give(CreatePlan{8, 3, PlanRig::kShort});
+    const CommandId behind = rig.give(ExecutePlan{9, 4});
+    rig.stop();
+    EXPECT_EQ(rig.answer(waiting)->error().code, Errc::StopLatched);
+    EXPECT_EQ(rig.answer(behind)->error().code, Errc::StopLatched);
+    for (const Command& command :
+         {Command(CreatePlan{8, 3, PlanRig::kShort}), Command(UpdatePlan{9, 4, PlanRig::kShort}),
+          Command(ExecutePlan{9, 4}), Command(AdjustSpeed{}), Command(SetTrigger{1, PlanRig::kShort})})
+        EXPECT_EQ(rig.refusal(command), Errc::StopLatched);
+    EXPECT_EQ(rig.refusal(QuerySlot{4}), std::nullopt);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 0U);
+    rig.latch().rearm();
+    EXPECT_EQ(rig.refusal(ExecutePlan{9, 4}), std::nullopt);
+}
+
+TEST(PlanStop, IsSentAgainUntilTheRobotHasConfirmedIt) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("lose-next", 2);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 5s));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 3U);
+    EXPECT_FALSE(rig.robot().motion());
+}
+
+TEST(PlanStop, ThatIsNeverConfirmedIsSaidAloud) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("lose-next", 100);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::StopUnconfirmed) == 1; }, 20s));
+    EXPECT_TRUE(rig.session().active());
+    EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 5U);
+    // Pressed again, it is sent again.
+    rig.simulate("lose-next", 0);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return !rig.robot().motion(); }, 2s));
+}
+
+TEST(PlanStop, NobodyWhoWatchesStopsWhatWasStartedHere) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.beat(false);
+    ASSERT_TRUE(rig.waitUntil([&] { return !rig.robot().motion(); }, 1s));
+    EXPECT_EQ(rig.latch().reason(), StopReason::HeartbeatStale);
+}
+
+TEST(PlanStop, AnExecuteThatWasOnItsWayIsStoppedToo) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    const CommandId id = rig.give(ExecutePlan{9, 4});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.writtenOf(MessageKind::Execute) == 1; }));
+    rig.stop();
+    EXPECT_EQ(rig.answer(id)->error().code, Errc::StopLatched);
+    EXPECT_TRUE(rig.session().active());
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 3s));
+    EXPECT_FALSE(rig.robot().motion());
+}
+
+}  // namespace
+}  // namespace kickstand::testing
