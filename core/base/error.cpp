@@ -108,6 +108,18 @@ const char* name(Errc code) {
             return "unconfirmed";
         case Errc::NxtRefused:
             return "nxt-refused";
+        case Errc::NotPaired:
+            return "not-paired";
+        case Errc::PairedElsewhere:
+            return "paired-elsewhere";
+        case Errc::RoleRunning:
+            return "role-running";
+        case Errc::RadioNotReady:
+            return "radio-not-ready";
+        case Errc::RadioNotSet:
+            return "radio-not-set";
+        case Errc::RadioDiffers:
+            return "radio-differs";
     }
     return "unknown";
 }

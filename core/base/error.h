@@ -67,6 +67,13 @@ enum class Errc : std::uint8_t {
     EchoDiffers,
     Unconfirmed,
     NxtRefused,
+    // COACH and TOWRP.
+    NotPaired,
+    PairedElsewhere,
+    RoleRunning,
+    RadioNotReady,
+    RadioNotSet,
+    RadioDiffers,
 };
 
 /// An error as a value: what kind, and the facts of this case. Plain, copyable, usable from any thread.

@@ -273,6 +273,29 @@ constexpr ErrorText kPlans[] = {
      QT_TRANSLATE_NOOP("Error", "Start the robot's program on it, then try again.")},
 };
 
+// COACH and TOWRP.
+constexpr ErrorText kCoach[] = {
+    {Errc::NotPaired, QT_TRANSLATE_NOOP("Error", "No boat and COACH are paired."),
+     QT_TRANSLATE_NOOP("Error", "Pair them first.")},
+    {Errc::PairedElsewhere,
+     QT_TRANSLATE_NOOP("Error", "The boat[ of team {robot}] obeys another COACH[: that of team {got}]."),
+     QT_TRANSLATE_NOOP("Error", "Wait until it says that it is available again.")},
+    {Errc::RoleRunning, QT_TRANSLATE_NOOP("Error", "This program plays a COACH or a TOWRP at present."),
+     QT_TRANSLATE_NOOP("Error", "End that role first.")},
+    {Errc::RadioNotReady, QT_TRANSLATE_NOOP("Error", "No radio module in API mode answers."),
+     QT_TRANSLATE_NOOP("Error",
+                       "Look for it and set it up: with `kickstandctl coach "
+                       "radio set`.")},
+    {Errc::RadioNotSet,
+     QT_TRANSLATE_NOOP("Error", "The radio module is not set up for {subject}[: its address is {detail}]."),
+     QT_TRANSLATE_NOOP("Error",
+                       "Apply the preset for it: with `kickstandctl coach "
+                       "radio set`.")},
+    {Errc::RadioDiffers,
+     QT_TRANSLATE_NOOP("Error", "The radio module says something else than what it was set to."),
+     QT_TRANSLATE_NOOP("Error", "Read it again, and set what is still wrong.")},
+};
+
 template <std::size_t... Sizes>
 constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
     std::array<ErrorText, (Sizes + ...)> all{};
@@ -284,7 +307,7 @@ constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
     (append(groups), ...);
     return all;
 }
-constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware, kPlans);
+constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware, kPlans, kCoach);
 
 }  // namespace
 

@@ -1,0 +1,132 @@
+#include "core/coach/radio_line.h"
+
+#include <utility>
+
+namespace kickstand::coach {
+
+RadioLine::RadioLine(Scheduler& scheduler, ByteLink& link, Listener listener)
+    : scheduler_(scheduler), link_(link), listener_(std::move(listener)) {
+    link_.setReceiver([this](ByteView bytes) { received(bytes); });
+}
+
+RadioLine::~RadioLine() {
+    link_.setReceiver({});
+}
+
+void RadioLine::setMode(ModuleMode mode) {
+    mode_ = mode;
+    parser_.reset(mode == ModuleMode::ApiEscaped ? xbee::ApiMode::Escaped : xbee::ApiMode::Plain);
+    ++version_;
+}
+
+std::uint8_t RadioLine::nextFrameId() {
+    // 0 asks for no answer; the bytes that API mode 2 escapes are left out, so that a frame reads the same in
+    // both modes while it is not known yet which one the module is in.
+    do
+        ++lastFrameId_;
+    while (lastFrameId_ == 0 || lastFrameId_ == xbee::kDelimiter || lastFrameId_ == xbee::kEscape ||
+           lastFrameId_ == 0x11 || lastFrameId_ == 0x13);
+    return lastFrameId_;
+}
+
+void RadioLine::write(const xbee::Frame& frame) {
+    const xbee::LineFrame line =
+        xbee::wrapFrame(xbee::encodeFrame(frame).view(),
+                        mode_ == ModuleMode::ApiEscaped ? xbee::ApiMode::Escaped : xbee::ApiMode::Plain);
+    // A line that is gone or full loses it, as the radio may; who waits for an answer asks again.
+    static_cast<void>(link_.write(line.view()));
+    ++version_;
+}
+
+void RadioLine::send(std::uint16_t destination, const wire::Message& message) {
+    const auto bytes = wire::encodeMessage(message);
+    const std::uint8_t id = nextFrameId();
+    TrafficEntry entry;
+    entry.sent = true;
+    entry.address = destination;
+    entry.message = message;
+    entry.frameId = id;
+    remember(std::move(entry));
+    write(xbee::Tx16{id, destination, 0, bytes});
+}
+
+std::uint8_t RadioLine::sendAt(std::array<char, 2> name, ByteView value) {
+    const std::uint8_t id = nextFrameId();
+    write(xbee::AtCommand{id, name, value});
+    return id;
+}
+
+void RadioLine::sendText(std::string_view text) {
+    static_cast<void>(link_.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+}
+
+void RadioLine::received(ByteView bytes) {
+    if (mode_ == ModuleMode::Transparent) {
+        listener_.text(bytes);
+        return;
+    }
+    ++version_;
+    while (mode_ != ModuleMode::Transparent) {
+        const ByteView data = parser_.next(bytes);
+        if (data.empty()) break;
+        if (const auto frame = xbee::decodeFrame(data)) {
+            take(*frame);
+        } else {
+            ++counters_.notMessages;
+        }
+    }
+    counters_.frames = parser_.counters();
+}
+
+void RadioLine::take(const xbee::Frame& frame) {
+    if (const auto* packet = std::get_if<xbee::Rx16>(&frame)) {
+        take(*packet);
+    } else if (const auto* status = std::get_if<xbee::TxStatus>(&frame)) {
+        take(*status);
+    } else if (const auto* response = std::get_if<xbee::AtResponse>(&frame)) {
+        listener_.atResponse(*response);
+    } else if (const auto* modem = std::get_if<xbee::ModemStatus>(&frame)) {
+        listener_.modemStatus(modem->status);
+    }
+}
+
+void RadioLine::take(const xbee::Rx16& packet) {
+    const auto message = wire::decodeMessage(packet.payload);
+    if (!message) {
+        ++counters_.notMessages;
+        return;
+    }
+    TrafficEntry entry;
+    entry.address = packet.source;
+    entry.rssi_dBm = packet.rssi_dBm;
+    entry.message = *message;
+    remember(std::move(entry));
+    listener_.message(Received{packet.source, packet.rssi_dBm, *message});
+}
+
+void RadioLine::take(const xbee::TxStatus& status) {
+    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+        if (!entry->sent || entry->frameId != status.frameId || entry->outcome) continue;
+        entry->outcome = status.status;
+        published_.reset();
+        ++(status.status == 0 ? counters_.acknowledged : counters_.failed);
+        return;
+    }
+    ++counters_.strayStatuses;
+}
+
+void RadioLine::remember(TrafficEntry entry) {
+    entry.number = ++lastNumber_;
+    entry.time = scheduler_.now();
+    entries_.push_back(std::move(entry));
+    if (entries_.size() > kRemembered) entries_.pop_front();
+    published_.reset();
+    ++version_;
+}
+
+std::shared_ptr<const TrafficEntries> RadioLine::entries() const {
+    if (!published_) published_ = std::make_shared<const TrafficEntries>(entries_);
+    return published_;
+}
+
+}  // namespace kickstand::coach

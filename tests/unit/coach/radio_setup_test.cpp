@@ -1,0 +1,150 @@
+#include "core/coach/radio_setup.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/fake_scheduler.h"
+#include "core/coach/sim/xbee_sim.h"
+#include "core/link/paced/paced_byte_link.h"
+
+namespace kickstand::coach {
+namespace {
+
+using sim::ModuleMemory;
+
+/// A module on a line, and what looks for it.
+struct Bench {
+    explicit Bench(ModuleMemory memory) : module(scheduler, medium, std::move(memory), 0x0013A20012345678) {
+        link.open([](const Result<ByteLinkInfo>&) {});
+        scheduler.advance(std::chrono::milliseconds(10));
+    }
+
+    Result<FoundRadio> find(Baud first = 9600) {
+        std::optional<Result<FoundRadio>> result;
+        setup.find(first, [&](Result<FoundRadio> found) { result = std::move(found); });
+        scheduler.runUntil([&] { return result.has_value(); }, std::chrono::minutes(2));
+        return result ? *result : fail(Errc::Io);
+    }
+    Result<FoundRadio> apply(const RadioSettings& present, const RadioSettings& wanted) {
+        std::optional<Result<FoundRadio>> result;
+        setup.apply(present, wanted, [&](Result<FoundRadio> found) { result = std::move(found); });
+        scheduler.runUntil([&] { return result.has_value(); }, std::chrono::minutes(2));
+        return result ? *result : fail(Errc::Io);
+    }
+
+    FakeScheduler scheduler;
+    sim::RadioMedium medium{scheduler, 1};
+    sim::XbeeSim module;
+    PacedByteLink link{scheduler, module, {"sim", "module", 9600, {}}};
+    RadioLine line{scheduler,
+                   link,
+                   {[](const Received&) {},
+                    [this](const xbee::AtResponse& response) { setup.client().response(response); },
+                    [this](ByteView bytes) { setup.client().text(bytes); }, [](std::uint8_t) {}}};
+    RadioSetup setup{scheduler, link, line};
+};
+
+ModuleMemory memoryOf(int mode, Baud baud) {
+    ModuleMemory memory;
+    memory.address = 0x1234;
+    memory.mode = static_cast<std::uint8_t>(mode);
+    memory.baudCode = baudCode(baud);
+    memory.name = "before";
+    return memory;
+}
+
+class RadioSetupAt : public ::testing::TestWithParam<std::tuple<int, Baud>> {};
+
+TEST_P(RadioSetupAt, FindsAndReadsTheModule) {
+    const auto [mode, baud] = GetParam();
+    Bench bench(memoryOf(mode, baud));
+    const auto found = bench.find();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->settings,
+              (RadioSettings{0x1234, 0x0C, 0x3332, static_cast<ModuleMode>(mode), baud, "before"}));
+    EXPECT_EQ(found->identity.serial, 0x0013A20012345678U);
+}
+
+TEST_P(RadioSetupAt, MakesItTheRadioOfACoach) {
+    const auto [mode, baud] = GetParam();
+    Bench bench(memoryOf(mode, baud));
+    const auto found = bench.find(baud);
+    ASSERT_TRUE(found);
+    const RadioSettings wanted = presetFor(wire::Role::Coach, 7, found->settings);
+    const auto applied = bench.apply(found->settings, wanted);
+    ASSERT_TRUE(applied) << name(applied.error().code) << ' ' << applied.error().subject;
+    EXPECT_EQ(applied->settings, wanted);
+    EXPECT_EQ(bench.module.memory().address, 0xBC07) << "it lasts";
+    EXPECT_EQ(bench.module.memory().mode, 1);
+    EXPECT_EQ(bench.module.memory().baudCode, 3U);
+    EXPECT_EQ(bench.module.memory().name, "COACH 7");
+    EXPECT_EQ(bench.module.memory().channel, 0x0C) << "the text names no channel";
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySpeed, RadioSetupAt,
+                         ::testing::Combine(::testing::Values(0, 1, 2),
+                                            ::testing::Values(1200, 2400, 4800, 9600, 19200, 38400, 57600,
+                                                              115200, 250000)));
+
+TEST(RadioSetup, ASettingAtATime) {
+    Bench bench(memoryOf(1, 9600));
+    RadioSettings present = bench.find()->settings;
+    const auto change = [&](auto edit) {
+        RadioSettings wanted = present;
+        edit(wanted);
+        const auto applied = bench.apply(present, wanted);
+        ASSERT_TRUE(applied) << name(applied.error().code);
+        EXPECT_EQ(applied->settings, wanted);
+        present = wanted;
+    };
+    change([](RadioSettings& s) { s.address = 0xAF63; });
+    change([](RadioSettings& s) { s.channel = 0x1A; });
+    change([](RadioSettings& s) { s.pan = 0xFFFF; });
+    change([](RadioSettings& s) { s.name.clear(); });
+    change([](RadioSettings& s) { s.name = "twenty characters ok"; });
+    change([](RadioSettings& s) { s.baud = 115200; });
+    change([](RadioSettings& s) { s.mode = ModuleMode::ApiEscaped; });
+    change([](RadioSettings& s) { s.mode = ModuleMode::Transparent; });
+    change([](RadioSettings& s) { s.mode = ModuleMode::Api; });
+    change([](RadioSettings&) {});
+}
+
+TEST(RadioSetup, ThunderbotsRadios) {
+    Bench bench(memoryOf(0, 9600));
+    const RadioSettings present = bench.find()->settings;
+    const RadioSettings wanted = thunderbotsPreset(3, 1, present);
+    EXPECT_EQ(wanted.address, 0x7B33);
+    EXPECT_EQ(wanted.pan, 0x496D);
+    const auto applied = bench.apply(present, wanted);
+    ASSERT_TRUE(applied) << name(applied.error().code);
+    EXPECT_EQ(bench.module.memory().baudCode, 250000U);
+    EXPECT_EQ(thunderbotsPreset(std::nullopt, 0, present).address, 0x7B40);
+}
+
+TEST(RadioSetup, WhereNothingAnswersItSaysSo) {
+    Bench bench(memoryOf(1, 9600));
+    bench.module.setAttached(false);
+    bench.scheduler.advance(std::chrono::milliseconds(10));
+    EXPECT_FALSE(bench.find());
+    EXPECT_FALSE(bench.setup.busy());
+}
+
+TEST(RadioSetup, RefusesWhatCannotBeSet) {
+    Bench bench(memoryOf(1, 9600));
+    const RadioSettings present = bench.find()->settings;
+    const auto code = [&](auto edit) {
+        RadioSettings wanted = present;
+        edit(wanted);
+        const auto applied = bench.apply(present, wanted);
+        return applied ? Errc::Io : applied.error().code;
+    };
+    EXPECT_EQ(code([](RadioSettings& s) { s.channel = 0x0A; }), Errc::OutOfRange);
+    EXPECT_EQ(code([](RadioSettings& s) { s.channel = 0x1B; }), Errc::OutOfRange);
+    EXPECT_EQ(code([](RadioSettings& s) { s.baud = 1; }), Errc::OutOfRange);
+    EXPECT_EQ(code([](RadioSettings& s) { s.name = std::string(21, 'x'); }), Errc::BadArgument);
+    EXPECT_EQ(code([](RadioSettings& s) { s.name = "a\rATRE"; }), Errc::BadArgument);
+    EXPECT_EQ(code([](RadioSettings& s) { s.name = " first"; }), Errc::BadArgument);
+    EXPECT_EQ(bench.module.memory().address, 0x1234);
+}
+
+}  // namespace
+}  // namespace kickstand::coach
