@@ -78,6 +78,8 @@ class Ctl {
         value(*answer);
         if (answer->value(QStringLiteral("system")).toString() == QLatin1String("thunderbots"))
             printThunderbots(output_, *answer, words_.size() == 2);
+        else
+            output_.line(QString::fromUtf8(compact(*answer)));
         return {};
     }
 

@@ -3,7 +3,7 @@
 namespace kickstand::sim {
 
 std::span<const CommandSpec> commands() {
-    static const std::vector<CommandSpec> kAll{thunderbotsCommand(), ctlCommand()};
+    static const std::vector<CommandSpec> kAll{thunderbotsCommand(), motionplanCommand(), ctlCommand()};
     return kAll;
 }
 

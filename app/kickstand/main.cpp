@@ -18,6 +18,7 @@
 #include "app/kickstand/tour.h"
 #include "core/engine/engine.h"
 #include "core/ledger/ledger.h"
+#include "ui/motionplan/motionplan_view.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
 #include "ui/shell/first_paint.h"
@@ -128,6 +129,7 @@ int main(int argc, char** argv) {
     const ui::LedgerFeed feed(client, ledger);
     ui::SystemRegistry systems;
     systems.add(std::make_unique<ui::ThunderbotsView>(ledger));
+    systems.add(std::make_unique<ui::MotionplanView>());
     ui::Bench bench(client, systems, settings);
     ui::StopFilter stopFilter([&bench] { return bench.isActive(); });
     QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client,

@@ -65,6 +65,9 @@ void addDrivingSteps(TourMaker& tour);
 /// The smallest window that holds everything, with all sixteen tiles up to something, stopped, and with a
 /// robot lost.
 void addSmallSteps(TourMaker& tour);
+/// Motion plans on a simulated NXT of its own, which is let go again: written, sent, half executed, stopped,
+/// and the robot out of reach. Nothing is connected before.
+void addMotionplanSteps(TourMaker& tour);
 /// Parameters: read, drafted, asked about, applied, committed, proven by a reboot, compared. Robot 3 is
 /// chosen.
 void addParameterSteps(TourMaker& tour);

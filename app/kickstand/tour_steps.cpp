@@ -38,6 +38,7 @@ class Steps final : public TourMaker {
         losing();
         addSmallSteps(*this);
         leaving();
+        addMotionplanSteps(*this);
         return std::move(*this).steps();
     }
 

@@ -40,7 +40,7 @@ Workbench::Workbench(Bench& bench, QWidget* parent) : QMainWindow(parent, Qt::Wi
 void Workbench::addPanels() {
     for (const auto& view : bench_.systems().views()) {
         for (const PanelEntry& entry : view->panels())
-            addPanel(entry);
+            addPanel(entry, view.get());
     }
     addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md#events"),
               PanelPlace::Bottom, [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
@@ -64,14 +64,36 @@ void Workbench::go(const QString& panel, const QString& detail) {
     }
 }
 
+void Workbench::followSystem() {
+    const SystemView* system = bench_.view();
+    if (system == nullptr) system = shownSystem_;
+    if (system == nullptr && !bench_.systems().views().empty())
+        system = bench_.systems().views().front().get();
+    for (std::size_t i = 0; i < docks_.size(); ++i) {
+        if (owners_[i] == nullptr) continue;
+        PanelDock* const dock = docks_[i];
+        const bool own = owners_[i] == system;
+        dock->toggleViewAction()->setVisible(own);
+        if (own && withheld_.erase(dock) > 0) dock->show();
+        if (own || dock->isHidden()) continue;
+        withheld_.insert(dock);
+        dock->hide();
+    }
+    if (std::exchange(shownSystem_, system) != system && shown_) {
+        sizePanels();
+        raiseFirst();
+    }
+}
+
 void Workbench::followSession() {
+    followSystem();
     const SessionSnapshot* session = bench_.session();
     const bool simulated = session != nullptr && session->uri.isSimulated();
     simulated_->toggleViewAction()->setVisible(simulated);
     simulated_->setVisible(simulated);
 }
 
-void Workbench::addPanel(const PanelEntry& entry) {
+void Workbench::addPanel(const PanelEntry& entry, const SystemView* owner) {
     auto* dock = new PanelDock(
         entry.id, entry.title, entry.helpPage, [this, make = entry.make] { return make(bench_); }, this);
     connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
@@ -79,12 +101,14 @@ void Workbench::addPanel(const PanelEntry& entry) {
     });
     docks_.push_back(dock);
     places_.push_back(entry.place);
+    owners_.push_back(owner);
 }
 
 QList<QDockWidget*> Workbench::docksAt(PanelPlace place) const {
     QList<QDockWidget*> docks;
     for (std::size_t i = 0; i < docks_.size(); ++i) {
-        if (places_[i] == place) docks.append(docks_[i]);
+        const bool foreign = owners_[i] != nullptr && owners_[i] != shownSystem_;
+        if (places_[i] == place && (!foreign || shownSystem_ == nullptr)) docks.append(docks_[i]);
     }
     return docks;
 }
@@ -141,11 +165,13 @@ void Workbench::sizePanels() {
     };
     const int left = height() - kWorkHeight;
     const int bottom = qMax(kLeastEventsHeight, static_cast<int>(left * kBottomShare));
-    size({{PanelPlace::Side, kSideWidth}, {PanelPlace::Work, width() - kSideWidth - kAsideWidth}},
-         Qt::Horizontal);
-    size({{PanelPlace::Work, width() - kSideWidth - kAsideWidth}, {PanelPlace::Aside, kAsideWidth}},
-         Qt::Horizontal);
-    size({{PanelPlace::Work, kWorkHeight}, {PanelPlace::Below, left - bottom}, {PanelPlace::Bottom, bottom}},
+    // A system need not have panels at every place.
+    const int aside = docksAt(PanelPlace::Aside).isEmpty() ? 0 : kAsideWidth;
+    const int work = docksAt(PanelPlace::Below).isEmpty() ? height() - bottom : kWorkHeight;
+    const int workWidth = width() - kSideWidth - aside;
+    size({{PanelPlace::Side, kSideWidth}, {PanelPlace::Work, workWidth}}, Qt::Horizontal);
+    size({{PanelPlace::Work, workWidth}, {PanelPlace::Aside, kAsideWidth}}, Qt::Horizontal);
+    size({{PanelPlace::Work, work}, {PanelPlace::Below, left - bottom}, {PanelPlace::Bottom, bottom}},
          Qt::Vertical);
 }
 
@@ -193,6 +219,16 @@ PanelDock* Workbench::focusedDock() const {
 
 void Workbench::restoreLayout() {
     sized_ = restoreState(bench_.settings().value(kLayoutSetting).toByteArray(), kLayoutVersion);
+    // The panels of a system that was not at work then were withheld, not closed.
+    for (const auto& view : bench_.systems().views()) {
+        bool any = false;
+        for (std::size_t i = 0; i < docks_.size(); ++i)
+            any = any || (owners_[i] == view.get() && !docks_[i]->isHidden());
+        for (std::size_t i = 0; i < docks_.size() && !any; ++i) {
+            if (owners_[i] == view.get()) withheld_.insert(docks_[i]);
+        }
+    }
+    followSystem();
 }
 
 void Workbench::saveLayout() const {
@@ -204,6 +240,9 @@ void Workbench::resetLayout() {
         dock->setFloating(false);
         removeDockWidget(dock);
     }
+    // All of them have their places; those of other systems are withheld again.
+    shownSystem_ = nullptr;
+    withheld_.clear();
     placePanels();
     followSession();
     sizePanels();

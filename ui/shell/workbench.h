@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <set>
 #include <vector>
 
 #include "ui/shell/system_view.h"
@@ -32,7 +33,10 @@ class Workbench final : public QMainWindow {
 
   private:
     void addPanels();
-    void addPanel(const PanelEntry& entry);
+    /// `owner`: the system that the panel is of; null for the window's own.
+    void addPanel(const PanelEntry& entry, const SystemView* owner = nullptr);
+    /// Shows the panels of the system that is at work, and withholds those of the others.
+    void followSystem();
     void placePanels();
     void sizePanels();
     void raiseFirst();
@@ -44,7 +48,10 @@ class Workbench final : public QMainWindow {
 
     Bench& bench_;
     std::vector<PanelDock*> docks_;
-    std::vector<PanelPlace> places_;  ///< Of each dock.
+    std::vector<PanelPlace> places_;         ///< Of each dock.
+    std::vector<const SystemView*> owners_;  ///< Of each dock.
+    std::set<PanelDock*> withheld_;          ///< To be shown when their system is at work.
+    const SystemView* shownSystem_ = nullptr;
     PanelDock* simulated_ = nullptr;  ///< There only for simulated links.
     bool sized_ = false;              ///< Sizes are those that a person left.
     bool shown_ = false;              ///< The window has been there.

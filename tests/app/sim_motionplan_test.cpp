@@ -1,0 +1,83 @@
+// kickstand-sim motionplan on a pseudo-terminal, used by kickstandctl as a robot would be.
+
+#include <QJsonObject>
+#include <csignal>
+#include <cstdlib>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/app/program.h"
+
+namespace kickstand::test {
+namespace {
+
+class SimNxt : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = testing::TempDir() + "knxtXXXXXX";
+        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder = pattern;
+        simulator.emplace(std::vector<std::string>{"motionplan", "--pty", folder + "/nxt", "--pace", "2",
+                                                   "--control", folder + "/control.sock", "--json"},
+                          KICKSTAND_SIM);
+        ASSERT_TRUE(simulator->waitFor("\n"));
+    }
+    void TearDown() override {
+        simulator->signal(SIGTERM);
+        EXPECT_EQ(simulator->end().exitCode, 0);
+        for (const char* file : {"/control.sock", "/nxt"})
+            ::unlink((folder + file).c_str());
+        EXPECT_EQ(::rmdir(folder.c_str()), 0);
+    }
+
+    Ended plan(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(),
+                         {"--link", "serial:" + folder + "/nxt?protocol=motionplan", "--json", "motionplan"});
+        return run(std::move(arguments));
+    }
+    Ended ctl(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"ctl", "--control", folder + "/control.sock"});
+        return run(words, KICKSTAND_SIM);
+    }
+    QJsonObject show() const { return ctl({"--json", "show"}).object(); }
+
+    std::string folder;
+    std::optional<Program> simulator;
+};
+
+TEST_F(SimNxt, KeepsWhatOneProgramHasSentForTheNext) {
+    const Ended created = plan({"create", "--slot", "4", "--plan", "9", "forward 25, turn left 84"});
+    EXPECT_EQ(created.exitCode, 0) << created.err;
+    EXPECT_EQ(show()[QStringLiteral("slots")][4][QStringLiteral("movements")], QStringLiteral("0d 9c"));
+    const Ended full = plan({"create", "--slot", "4", "--plan", "8", "forward 1"});
+    EXPECT_EQ(full.exitCode, 1);
+    EXPECT_NE(full.err.find("error 0"), std::string::npos) << full.err;
+    EXPECT_EQ(plan({"update", "--slot", "4", "forward 5"}).exitCode, 0);
+    const Ended executed = plan({"execute", "--slot", "4", "--for", "20"});
+    EXPECT_EQ(executed.exitCode, 0) << executed.err;
+    EXPECT_EQ(show()[QStringLiteral("executed")], 1);
+}
+
+TEST_F(SimNxt, StartsItsTriggerPlanWhenTheProgramLetsGo) {
+    EXPECT_EQ(plan({"trigger", "--plan", "7", "back 1000"}).exitCode, 0);
+    const QJsonObject motion = show()[QStringLiteral("motion")].toObject();
+    EXPECT_TRUE(motion[QStringLiteral("trigger")].toBool());
+    // Connecting again leaves it alone; its status tells, and Stop stops it. Letting go starts it once more.
+    const QJsonObject status = plan({"status"}).object();
+    EXPECT_EQ(status[QStringLiteral("execution")][QStringLiteral("plan")], 7);
+    EXPECT_TRUE(plan({"stop"}).object()[QStringLiteral("stopped")].toBool());
+}
+
+TEST_F(SimNxt, APulledPlugIsSaid) {
+    EXPECT_EQ(ctl({"unplug"}).exitCode, 0);
+    const Ended ended = plan({"status"});
+    EXPECT_EQ(ended.exitCode, 1);
+    EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+    EXPECT_EQ(ctl({"replug"}).exitCode, 0);
+    EXPECT_EQ(plan({"status"}).exitCode, 0);
+}
+
+}  // namespace
+}  // namespace kickstand::test

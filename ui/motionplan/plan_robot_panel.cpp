@@ -1,0 +1,293 @@
+#include "ui/motionplan/plan_robot_panel.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "core/engine/describe.h"
+#include "core/engine/describe_motionplan.h"
+#include "core/motionplan/wire/nxt_status.h"
+#include "ui/motionplan/motionplan_view.h"
+#include "ui/motionplan/plan_document.h"
+#include "ui/shell/bench.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+using motionplan::Execution;
+using motionplan::Snapshot;
+using motionplan::Wheels;
+namespace wire = motionplan::wire;
+
+namespace {
+
+constexpr int kStateSize = 20;
+constexpr int kChangeStep_percent = 10;
+constexpr int kFirstChange_percent = -30;
+
+QLabel* label(const char* name, int size, QWidget* parent) {
+    auto* made = new QLabel(parent);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setFont(textFont(size));
+    made->setWordWrap(true);
+    made->setTextFormat(Qt::PlainText);
+    return made;
+}
+
+QPushButton* button(const QString& name, const QString& text, const QString& accessible, QWidget* parent) {
+    auto* made = new QPushButton(text, parent);
+    made->setObjectName(name);
+    made->setAccessibleName(accessible);
+    made->setToolTip(accessible);
+    made->setAutoDefault(false);
+    return made;
+}
+
+QString keptText(const std::vector<std::uint8_t>& movements) {
+    QStringList parts;
+    for (const motionplan::Movement& movement : motionplan::movementsOf(movements))
+        parts << movementText(movement);
+    return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+PlanRobotPanel::PlanRobotPanel(Bench& bench, PlanDocument& document, QWidget* parent)
+    : Panel(bench, parent),
+      document_(document),
+      state_(label("planState", kStateSize, this)),
+      progress_(label("planProgress", metrics::kTextSize, this)),
+      warning_(label("planWarning", metrics::kTextSize, this)),
+      stop_(button(QStringLiteral("planStop"), tr("Stop plan"), tr("Stops the plan that executes"), this)),
+      query_(button(QStringLiteral("planQuery"), tr("Query slots"), tr("Asks what is in each slot"), this)),
+      id_(new QSpinBox(this)),
+      trigger_(label("planTrigger", metrics::kSmallTextSize, this)),
+      setTrigger_(button(QStringLiteral("planSetTrigger"), tr("Set"),
+                         tr("Makes the plan of the editor the trigger plan"), this)),
+      readTrigger_(
+          button(QStringLiteral("planReadTrigger"), tr("Read"), tr("Asks for the trigger plan"), this)),
+      wheels_(new QComboBox(this)),
+      change_(new QSpinBox(this)),
+      adjust_(button(QStringLiteral("planAdjust"), tr("Adjust"),
+                     tr("Changes the speed of these wheels while the plan executes"), this)),
+      notice_(label("planRobotNotice", metrics::kSmallTextSize, this)) {
+    build();
+    connectButtons();
+    connect(&bench, &Bench::changed, this, &PlanRobotPanel::refresh);
+    connect(&document_, &PlanDocument::changed, this, &PlanRobotPanel::refresh);
+    refresh();
+}
+
+void PlanRobotPanel::build() {
+    id_->setObjectName(QStringLiteral("planId"));
+    id_->setAccessibleName(tr("ID under which the plan is sent to an empty slot"));
+    id_->setRange(wire::kFirstPlan, wire::kLastPlan);
+    id_->setPrefix(tr("plan ID "));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
+    column->setSpacing(metrics::kGap);
+    column->addWidget(state_);
+    column->addWidget(progress_);
+    column->addWidget(warning_);
+    auto* top = new QHBoxLayout;
+    top->addWidget(stop_);
+    top->addWidget(query_);
+    top->addStretch(1);
+    column->addLayout(top);
+    column->addWidget(id_);
+    column->addWidget(makeSlots());
+    column->addWidget(makeTrigger());
+    column->addWidget(makeSpeed());
+    column->addWidget(notice_);
+    column->addStretch(1);
+}
+
+QWidget* PlanRobotPanel::makeSlots() {
+    auto* box = new QWidget(this);
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(4);
+    for (int slot = 0; slot < wire::kSlots; ++slot) {
+        SlotRow& row = rows_[static_cast<std::size_t>(slot)];
+        row.text = label("", metrics::kTextSize, box);
+        row.text->setObjectName(QStringLiteral("planSlot%1").arg(slot));
+        row.send = button(QStringLiteral("planSend%1").arg(slot), tr("Create"),
+                          tr("Sends the plan of the editor to slot %1").arg(slot), box);
+        row.execute = button(QStringLiteral("planExecute%1").arg(slot), tr("Execute"),
+                             tr("Executes the plan of slot %1").arg(slot), box);
+        grid->addWidget(row.text, slot, 0);
+        grid->addWidget(row.send, slot, 1);
+        grid->addWidget(row.execute, slot, 2);
+    }
+    grid->setColumnStretch(0, 1);
+    return box;
+}
+
+QWidget* PlanRobotPanel::makeTrigger() {
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(trigger_, 1);
+    row->addWidget(setTrigger_);
+    row->addWidget(readTrigger_);
+    return box;
+}
+
+QWidget* PlanRobotPanel::makeSpeed() {
+    wheels_->setObjectName(QStringLiteral("planSpeedWheels"));
+    wheels_->setAccessibleName(tr("Wheels whose speed is changed"));
+    wheels_->addItem(tr("Both wheels"), static_cast<int>(Wheels::BothForward));
+    wheels_->addItem(tr("Left wheel"), static_cast<int>(Wheels::LeftForward));
+    wheels_->addItem(tr("Right wheel"), static_cast<int>(Wheels::RightForward));
+    change_->setObjectName(QStringLiteral("planSpeedChange"));
+    change_->setAccessibleName(tr("Change of their speed, in percent"));
+    change_->setRange(-wire::kMostChange_percent, wire::kMostChange_percent);
+    change_->setSingleStep(kChangeStep_percent);
+    change_->setValue(kFirstChange_percent);
+    change_->setSuffix(tr(" %"));
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(wheels_, 1);
+    row->addWidget(change_);
+    row->addWidget(adjust_);
+    return box;
+}
+
+void PlanRobotPanel::connectButtons() {
+    for (int slot = 0; slot < wire::kSlots; ++slot) {
+        const SlotRow& row = rows_[static_cast<std::size_t>(slot)];
+        connect(row.send, &QPushButton::clicked, this, [this, slot] { sendTo(slot); });
+        connect(row.execute, &QPushButton::clicked, this, [this, slot] { execute(slot); });
+    }
+    connect(stop_, &QPushButton::clicked, this, [this] { submit(motionplan::StopPlan{}); });
+    connect(query_, &QPushButton::clicked, this, &PlanRobotPanel::queryAll);
+    connect(readTrigger_, &QPushButton::clicked, this, [this] { submit(motionplan::ReadTrigger{}); });
+    connect(setTrigger_, &QPushButton::clicked, this, [this] {
+        submit(motionplan::SetTrigger{id_->value(), document_.movements()});
+    });
+    connect(adjust_, &QPushButton::clicked, this, [this] {
+        submit(
+            motionplan::AdjustSpeed{static_cast<Wheels>(wheels_->currentData().toInt()), change_->value()});
+    });
+}
+
+void PlanRobotPanel::submit(const motionplan::Command& command) {
+    refusal_.clear();
+    bench().submit(SystemCommand{command}, this, [this](const Result<void>& result) {
+        if (!result) refusal_ = describe(result.error()).line();
+        refresh();
+    });
+    refresh();
+}
+
+void PlanRobotPanel::queryAll() {
+    for (int slot = 0; slot < wire::kSlots; ++slot)
+        submit(motionplan::QuerySlot{slot});
+    submit(motionplan::ReadTrigger{});
+}
+
+void PlanRobotPanel::sendTo(int slot) {
+    const Snapshot* const snapshot = planSnapshotOf(bench().session());
+    if (snapshot == nullptr) return;
+    const int resident = snapshot->slotStates[static_cast<std::size_t>(slot)].plan;
+    // A full slot takes nothing but an update of the plan that is in it.
+    if (resident == wire::kNoPlan)
+        submit(motionplan::CreatePlan{id_->value(), slot, document_.movements()});
+    else
+        submit(motionplan::UpdatePlan{resident, slot, document_.movements()});
+}
+
+void PlanRobotPanel::execute(int slot) {
+    const Snapshot* const snapshot = planSnapshotOf(bench().session());
+    if (snapshot == nullptr) return;
+    const int resident = snapshot->slotStates[static_cast<std::size_t>(slot)].plan;
+    submit(motionplan::ExecutePlan{resident == wire::kNoPlan ? id_->value() : resident, slot});
+}
+
+QString PlanRobotPanel::obstacle(const Snapshot* snapshot) const {
+    if (snapshot == nullptr) return tr("Connect to an NXT, or to a simulated one.");
+    if (snapshot->outOfReach) return outOfReachText();
+    if (snapshot->link != motionplan::LinkState::Running) return describe(snapshot->link);
+    if (snapshot->nxtStatus == wire::kStatusNoProgram)
+        return tr("No program is running on the NXT: start the robot's program on it.");
+    if (!snapshot->answers) return tr("The robot does not answer.");
+    return {};
+}
+
+QString PlanRobotPanel::executionText(const Snapshot& snapshot) const {
+    const Execution& execution = snapshot.execution;
+    if (snapshot.outOfReach) return tr("Out of reach");
+    if (!snapshot.active()) return tr("At rest");
+    QString text = tr("Plan %1, step %2").arg(execution.plan).arg(execution.step);
+    if (!execution.movements.empty()) text += tr(" of %1").arg(execution.movements.size());
+    return text;
+}
+
+void PlanRobotPanel::refresh() {
+    const Snapshot* const snapshot = planSnapshotOf(bench().session());
+    const QString why = obstacle(snapshot);
+    const bool reach = why.isEmpty();
+    state_->setText(snapshot == nullptr ? tr("No robot") : executionText(*snapshot));
+    QString progress = why;
+    if (reach && snapshot->active()) {
+        progress = describe(snapshot->execution.state);
+        if (snapshot->execution.stale) progress += tr("; nothing heard for a while");
+    } else if (reach && snapshot->request) {
+        progress =
+            tr("asking the robot, %n more waiting", nullptr, static_cast<int>(snapshot->request->waiting));
+    }
+    progress_->setText(progress);
+    const bool trigger = snapshot != nullptr && snapshot->trigger.plan != wire::kNoPlan;
+    warning_->setText(trigger ? tr("When the connection ends, the robot starts its trigger plan; STOP cannot "
+                                   "reach it then.")
+                              : tr("STOP needs Bluetooth: without it the robot goes on with its plan."));
+    stop_->setEnabled(reach);
+    query_->setEnabled(reach);
+    readTrigger_->setEnabled(reach);
+    setTrigger_->setEnabled(
+        reach && motionplan::planBytes(document_.movements(), motionplan::PlanUse::Trigger).has_value());
+    adjust_->setEnabled(reach && snapshot->active());
+    for (int slot = 0; slot < wire::kSlots; ++slot)
+        refreshSlot(slot, snapshot);
+    refreshTrigger(snapshot);
+    notice_->setText(refusal_);
+    const bool gone = snapshot == nullptr || snapshot->outOfReach;
+    setNote(gone ? QString() : describe(snapshot->execution.state));
+}
+
+void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {
+    const SlotRow& row = rows_[static_cast<std::size_t>(slot)];
+    const motionplan::SlotState state =
+        snapshot == nullptr ? motionplan::SlotState{} : snapshot->slotStates[static_cast<std::size_t>(slot)];
+    const bool reach = obstacle(snapshot).isEmpty();
+    const bool full = state.plan != wire::kNoPlan;
+    const bool runs = snapshot != nullptr && snapshot->active() && snapshot->execution.slot == slot &&
+                      snapshot->execution.plan == state.plan;
+    const QString held = !state.known ? tr("not asked")
+                         : !full      ? tr("empty")
+                         : runs       ? tr("plan %1, executing").arg(state.plan)
+                                      : tr("plan %1").arg(state.plan);
+    row.text->setText(tr("%1: %2").arg(slot).arg(held));
+    row.text->setToolTip(keptText(state.movements));
+    row.send->setText(full ? tr("Update") : tr("Create"));
+    row.send->setEnabled(reach &&
+                         motionplan::planBytes(document_.movements(), motionplan::PlanUse::Slot).has_value());
+    row.execute->setEnabled(reach && (full || !state.known) && !snapshot->active());
+}
+
+void PlanRobotPanel::refreshTrigger(const Snapshot* snapshot) {
+    const motionplan::TriggerState state =
+        snapshot == nullptr ? motionplan::TriggerState{} : snapshot->trigger;
+    const QString held = !state.known                  ? tr("not asked")
+                         : state.plan == wire::kNoPlan ? tr("none")
+                                                       : tr("plan %1").arg(state.plan);
+    trigger_->setText(tr("Trigger plan: %1").arg(held));
+    trigger_->setToolTip(keptText(state.movements));
+}
+
+}  // namespace kickstand::ui
