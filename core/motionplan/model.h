@@ -16,7 +16,7 @@ class Model {
     /// A robot that executes says so once a second (protocol 4.5); after this much silence that is remarked.
     static constexpr Duration kStatusSilence = std::chrono::milliseconds(3500);
 
-    explicit Model(std::function<void(Event)> event) : event_(std::move(event)) {}
+    explicit Model(std::function<void(const Event&)> event) : event_(std::move(event)) {}
 
     /// A new connection: nothing is known.
     void forget();
@@ -50,7 +50,7 @@ class Model {
                double value = 0);
     SlotState* slot(int number);
 
-    std::function<void(Event)> event_;
+    std::function<void(const Event&)> event_;
     std::array<SlotState, wire::kSlots> slots_;
     TriggerState trigger_;
     Execution execution_;

@@ -11,7 +11,7 @@ using wire::MessageKind;
 Session::Session(Host host, std::unique_ptr<ByteLink> link)
     : host_(std::move(host)),
       link_(std::move(link)),
-      model_([this](Event event) {
+      model_([this](const Event& event) {
           ++version_;
           host_.event(event);
       }),
@@ -60,7 +60,7 @@ void Session::start() {
 void Session::open() {
     state_ = LinkState::Opening;
     ++version_;
-    link_->open([this](Result<ByteLinkInfo> result) { opened(result); });
+    link_->open([this](const Result<ByteLinkInfo>& result) { opened(result); });
 }
 
 void Session::opened(const Result<ByteLinkInfo>& result) {

@@ -223,7 +223,7 @@ TEST_F(PlanWindow, APlanGoesToTheRobotRunsLitAndIsStopped) {
     add("Turn right", 84);
     find<QSpinBox>("planId")->setValue(9);
     click("planSend4");
-    ASSERT_TRUE(waitFor([this] { return text("planSlot4") == QStringLiteral("4: plan 9"); }));
+    ASSERT_TRUE(waitFor([this] { return text("planSlot4") == QStringLiteral("4: plan 9\n2 step(s)"); }));
     EXPECT_EQ(written.messages(), (std::vector<std::string>{"05 ff 04", "00 09 04 19 5c"}));
     // Full now: it offers an update under the resident's ID.
     EXPECT_EQ(find<QAbstractButton>("planSend4")->text(), QStringLiteral("Update"));

@@ -272,7 +272,11 @@ void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {
                          : !full      ? tr("empty")
                          : runs       ? tr("plan %1, executing").arg(state.plan)
                                       : tr("plan %1").arg(state.plan);
-    row.text->setText(tr("%1: %2").arg(slot).arg(held));
+    // What this connection has not sent there is not known: the robot names plans by their ID alone.
+    const QString steps = state.movements.empty()
+                              ? QString()
+                              : tr("\n%n step(s)", nullptr, static_cast<int>(state.movements.size()));
+    row.text->setText(tr("%1: %2").arg(slot).arg(held) + steps);
     row.text->setToolTip(keptText(state.movements));
     row.send->setText(full ? tr("Update") : tr("Create"));
     row.send->setEnabled(reach &&
