@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "core/coach/sim/coach_sim.h"
 #include "core/link/paced/paced_byte_link.h"
 #include "core/motionplan/sim/nxt_sim.h"
 
@@ -30,9 +31,22 @@ Result<SimulatedLine> makeMotionplan(const LinkUri& uri, Scheduler& scheduler) {
     return SimulatedLine{sim, sim.get(), &sim->control(), kBluetoothBaud, "simulated NXT"};
 }
 
+Result<void> checkCoach(const LinkUri& uri) {
+    const auto options = coach::sim::parseSimOptions(uri);
+    return options ? Result<void>() : fail(options.error());
+}
+
+Result<SimulatedLine> makeCoach(const LinkUri& uri, Scheduler& scheduler) {
+    const auto options = coach::sim::parseSimOptions(uri);
+    if (!options) return fail(options.error());
+    const auto sim = std::make_shared<coach::sim::CoachSim>(scheduler, *options);
+    return SimulatedLine{sim, &sim->module(0), sim.get(), 9600, "XBee adapter"};
+}
+
 /// One line a system.
 constexpr SimulatedSystem kSystems[] = {
     {"motionplan", checkMotionplan, makeMotionplan},
+    {"coach", checkCoach, makeCoach},
 };
 
 const SimulatedSystem* systemOf(const LinkUri& uri) {

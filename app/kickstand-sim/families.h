@@ -7,6 +7,7 @@ namespace kickstand::sim {
 // The commands, each in its file. commands() joins them.
 CommandSpec thunderbotsCommand();
 CommandSpec motionplanCommand();
+CommandSpec coachCommand();
 CommandSpec ctlCommand();
 
 }  // namespace kickstand::sim

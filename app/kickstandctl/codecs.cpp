@@ -1,5 +1,6 @@
 #include "app/kickstandctl/codecs.h"
 
+#include "core/coach/wire/named_frame.h"
 #include "core/motionplan/wire/named.h"
 #include "core/thunderbots/wire/fields.h"
 
@@ -40,9 +41,36 @@ Result<std::vector<CodecField>> decodeMotionplan(std::string_view name, ByteView
     return decoded;
 }
 
+std::vector<CodecMessage> coachMessages() {
+    const std::vector<std::string> fields = coach::wire::namedFrameFields();
+    return {{std::string(coach::wire::kFrameName), fields},
+            {std::string(coach::wire::kEscapedFrameName), fields}};
+}
+
+Result<std::vector<CodecField>> decodeCoach(std::string_view name, ByteView bytes) {
+    auto fields = coach::wire::decodeNamedFrame(name, bytes);
+    if (!fields) return fail(std::move(fields.error()));
+    std::vector<CodecField> decoded;
+    for (coach::wire::NamedField& field : *fields)
+        decoded.push_back({std::move(field.name),
+                           field.value,
+                           false,
+                           {},
+                           field.physical,
+                           std::move(field.unit),
+                           std::move(field.label),
+                           std::move(field.description)});
+    return decoded;
+}
+
+Result<std::vector<std::uint8_t>> encodeCoach(std::string_view name, std::span<const CodecText> fields) {
+    return coach::wire::encodeNamedFrame(name, {fields.begin(), fields.end()});
+}
+
 constexpr Codec kCodecs[] = {
     {"thunderbots", thunderbotsMessages, thunderbots::wire::decodeMessage, thunderbots::wire::encodeMessage},
     {"motionplan", motionplanMessages, decodeMotionplan, motionplan::wire::encodeNamed},
+    {"coach", coachMessages, decodeCoach, encodeCoach},
 };
 
 }  // namespace

@@ -21,5 +21,7 @@ std::span<const CommandSpec> thunderbotsSetupCommands();
 std::span<const CommandSpec> thunderbotsParametersCommands();
 std::span<const CommandSpec> motionplanCommands();
 std::span<const CommandSpec> motionplanRunCommands();
+std::span<const CommandSpec> coachCommands();
+std::span<const CommandSpec> coachRadioCommands();
 
 }  // namespace kickstand::ctl

@@ -117,6 +117,9 @@ QJsonObject toJson(const Engine& engine, const EngineEvent& event) {
         {QStringLiteral("event"), std::visit([](const auto& body) { return nameOf(body); }, event.body)},
         {QStringLiteral("text"), describe(event).text}};
     if (const int robot = robotOf(event); robot >= 0) json[QStringLiteral("robot")] = robot;
+    const auto* system = std::get_if<SystemEvent>(&event.body);
+    const auto* own = system == nullptr ? nullptr : std::get_if<coach::Event>(system);
+    if (own != nullptr && own->team >= 0) json[QStringLiteral("team")] = own->team;
     return json;
 }
 

@@ -51,6 +51,12 @@ bool isAtRest(const thunderbots::Snapshot& state, TimePoint since) {
 bool isAtRest(const motionplan::Snapshot& state, TimePoint since) {
     return state.stopSentAt >= since && !state.active() && !state.request;
 }
+/// Whether no boat is paired, or the one that is has been told to stop.
+bool isAtRest(const coach::Snapshot& state, TimePoint since) {
+    const coach::CoachView& view = state.coach;
+    if (view.state != coach::CoachState::Paired) return true;
+    return view.sent && view.sent->isZero() && view.sentAt >= since;
+}
 
 }  // namespace
 

@@ -79,11 +79,11 @@ void Session::opened(const Result<ByteLinkInfo>& result) {
     const bool news = !error_ || error_->code != result.error().code;
     error_ = result.error();
     if (error_->code == Errc::NoDevice || error_->code == Errc::Disconnected) {
-        enter(LinkState::Waiting);
+        enter(LinkState::Searching);
         if (news) raise(EventKind::Waiting);
         timer_ = host_.scheduler.callAfter(kReopenEvery, [this] {
             timer_ = 0;
-            if (state_ == LinkState::Waiting) open();
+            if (state_ == LinkState::Searching) open();
         });
         return;
     }
@@ -112,7 +112,7 @@ void Session::moduleAnswered(const Result<FoundRadio>& radio) {
 void Session::presence(bool present) {
     if (ending_) return;
     if (present) {
-        if (state_ == LinkState::Waiting) open();
+        if (state_ == LinkState::Searching) open();
         return;
     }
     setup_.cancel();
@@ -123,7 +123,7 @@ void Session::presence(bool present) {
     Error error;
     error.code = Errc::Disconnected;
     error_ = error;
-    enter(LinkState::Waiting);
+    enter(LinkState::Searching);
     raise(EventKind::LinkLost);
     if (moved) host_.stop.set(StopReason::LinkLost);
 }
@@ -201,7 +201,8 @@ void Session::waitForStop() {
 
 void Session::close() {
     endRole(Unpairing::RoleEnded);
-    const bool was = state_ != LinkState::Idle && state_ != LinkState::Waiting && state_ != LinkState::Failed;
+    const bool was =
+        state_ != LinkState::Idle && state_ != LinkState::Searching && state_ != LinkState::Failed;
     enter(LinkState::Idle);
     if (was) raise(EventKind::Disconnected);
     link_->close(std::exchange(shutDown_, {}));

@@ -16,11 +16,11 @@ namespace kickstand::coach {
 /// Where the link stands.
 enum class LinkState : std::uint8_t {
     Idle,
-    Waiting,   ///< For the port to be there.
-    Opening,   ///< The port.
-    Asking,    ///< The radio module, whether it speaks in frames.
-    NoModule,  ///< The port is open, and no module in API mode answers: it can be looked for.
-    Setting,   ///< The module is looked for, read or set.
+    Searching,  ///< Waits for the port to be there.
+    Opening,    ///< The port.
+    Asking,     ///< The radio module, whether it speaks in frames.
+    NoModule,   ///< The port is open, and no module in API mode answers: it can be looked for.
+    Setting,    ///< The module is looked for, read or set.
     Running,
     Failed,
 };

@@ -287,7 +287,7 @@ constexpr ErrorText kCoach[] = {
                        "Look for it and set it up: with `kickstandctl coach "
                        "radio set`.")},
     {Errc::RadioNotSet,
-     QT_TRANSLATE_NOOP("Error", "The radio module is not set up for {subject}[: its address is {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "The radio module is not set up[ for {subject}][: its address is {detail}]."),
      QT_TRANSLATE_NOOP("Error",
                        "Apply the preset for it: with `kickstandctl coach "
                        "radio set`.")},

@@ -5,6 +5,7 @@
 
 #include "core/engine/describe.h"
 #include "core/engine/describe_check.h"
+#include "core/engine/describe_coach.h"
 #include "core/engine/describe_facts.h"
 #include "core/engine/describe_flash.h"
 #include "core/engine/describe_motionplan.h"
@@ -259,6 +260,10 @@ EventText textOf(const motionplan::Event& event) {
     return describeMotionplanEvent(event);
 }
 
+EventText textOf(const coach::Event& event) {
+    return describeCoachEvent(event);
+}
+
 EventText textOf(const EngineNote& note) {
     switch (note.kind) {
         case EngineNote::Kind::Stopped:
@@ -284,8 +289,15 @@ EventText textOf(const SystemEvent& event) {
 int robotIn(const EngineNote&) {
     return -1;
 }
+template <class Event>
+int robotIn(const Event& event) {
+    return event.robot;
+}
+int robotIn(const coach::Event&) {
+    return -1;
+}
 int robotIn(const SystemEvent& event) {
-    return std::visit([](const auto& one) { return one.robot; }, event);
+    return std::visit([](const auto& one) { return robotIn(one); }, event);
 }
 TimePoint timeIn(const EngineNote& note) {
     return note.time;

@@ -133,11 +133,24 @@ std::vector<Finding> diagnoseSession(const LinkUri& uri, const motionplan::Snaps
     return {link};
 }
 
+std::vector<Finding> diagnoseSession(const LinkUri& uri, const coach::Snapshot& state) {
+    const bool running = state.link == coach::LinkState::Running;
+    Finding link = finding(Check::Link, running ? CheckState::Ok : CheckState::Warning);
+    link.link = uri;
+    link.port = state.port.port;
+    link.error = state.error;
+    if (state.link == coach::LinkState::NoModule) link.error = Error{.code = Errc::RadioNotReady};
+    if (link.error) link.state = CheckState::Problem;
+    if (running) link.linkState = LinkState::Running;
+    if (state.link == coach::LinkState::Opening) link.linkState = LinkState::Opening;
+    if (state.link == coach::LinkState::Searching) link.linkState = LinkState::Searching;
+    return {link};
+}
+
 bool looksRunning(const SessionSnapshot& session) {
-    const auto* state = std::get_if<thunderbots::Snapshot>(&session.system);
-    const auto* plans = std::get_if<motionplan::Snapshot>(&session.system);
-    return (state != nullptr && state->link == LinkState::Running) ||
-           (plans != nullptr && plans->link == motionplan::LinkState::Running);
+    return std::visit(
+        [](const auto& state) { return state.link == std::decay_t<decltype(state.link)>::Running; },
+        session.system);
 }
 
 }  // namespace

@@ -34,6 +34,9 @@ void keep(Ledger& ledger, const thunderbots::Event& event, const std::string& so
 /// Nothing of motion plans outlives a session.
 void keep(Ledger&, const motionplan::Event&, const std::string&, std::chrono::system_clock::time_point) {}
 
+/// Nor of boats.
+void keep(Ledger&, const coach::Event&, const std::string&, std::chrono::system_clock::time_point) {}
+
 }  // namespace
 
 void LedgerKeeper::take(const EngineEvent& event, const std::string& source,

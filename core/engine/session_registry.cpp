@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/coach/session.h"
 #include "core/motionplan/session.h"
 #include "core/thunderbots/session.h"
 
@@ -59,6 +60,10 @@ bool isMotionplan(const LinkUri& uri) {
     return isOnLine(uri, "motionplan");
 }
 
+bool isCoach(const LinkUri& uri) {
+    return isOnLine(uri, "coach");
+}
+
 bool isThunderbots(const LinkUri& uri) {
     if (uri.scheme == "sim") return uri.target == "thunderbots";
     return uri.scheme == "usb" || uri.scheme == "usb-cable" || uri.scheme == "usbip";
@@ -67,6 +72,7 @@ bool isThunderbots(const LinkUri& uri) {
 constexpr std::array kSystems{
     System{"thunderbots", isThunderbots, makeThunderbots},
     System{"motionplan", isMotionplan, makeOnLine<motionplan::Session, motionplan::Command>},
+    System{"coach", isCoach, makeOnLine<coach::Session, coach::Command>},
 };
 
 }  // namespace

@@ -70,6 +70,30 @@ std::optional<Mark> markOf(const motionplan::Event& event) {
     }
 }
 
+std::optional<Mark> markOf(const coach::Event& event) {
+    using Kind = coach::EventKind;
+    Mark mark;
+    mark.time = event.time;
+    if (event.team >= 0) mark.unit = static_cast<std::uint16_t>(event.team);
+    switch (event.kind) {
+        case Kind::Connected:
+            mark.kind = MarkKind::LinkUp;
+            return mark;
+        case Kind::LinkLost:
+        case Kind::Disconnected:
+            mark.kind = MarkKind::LinkDown;
+            return mark;
+        case Kind::Paired:
+            mark.kind = MarkKind::UnitHeard;
+            return mark;
+        case Kind::Unpaired:
+            mark.kind = MarkKind::UnitLost;
+            return mark;
+        default:
+            return std::nullopt;
+    }
+}
+
 }  // namespace
 
 SessionSlot::SessionSlot(SessionId id, LinkUri uri, std::function<void(EngineEvent)> event,

@@ -2,6 +2,9 @@
 
 #include <variant>
 
+#include "core/coach/commands.h"
+#include "core/coach/events.h"
+#include "core/coach/snapshot.h"
 #include "core/motionplan/commands.h"
 #include "core/motionplan/events.h"
 #include "core/motionplan/snapshot.h"
@@ -13,8 +16,8 @@ namespace kickstand {
 
 // The systems that the engine knows. A new one adds an alternative to each line here, and a line to
 // core/engine/session_registry.cpp.
-using SystemCommand = std::variant<thunderbots::Command, motionplan::Command>;
-using SystemEvent = std::variant<thunderbots::Event, motionplan::Event>;
-using SystemSnapshot = std::variant<thunderbots::Snapshot, motionplan::Snapshot>;
+using SystemCommand = std::variant<thunderbots::Command, motionplan::Command, coach::Command>;
+using SystemEvent = std::variant<thunderbots::Event, motionplan::Event, coach::Event>;
+using SystemSnapshot = std::variant<thunderbots::Snapshot, motionplan::Snapshot, coach::Snapshot>;
 
 }  // namespace kickstand

@@ -54,7 +54,7 @@ TEST(Composition, RefusesEverythingElse) {
 TEST(Composition, NamesWhatItWouldTake) {
     EXPECT_EQ(checkLink(*parseLinkUri("tcp:host")).error().detail,
               "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, sim:thunderbots, "
-              "sim:motionplan");
+              "sim:motionplan, sim:coach");
 }
 
 TEST(Composition, MakesASimulatedDongleThatOpens) {

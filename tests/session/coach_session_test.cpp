@@ -146,7 +146,7 @@ TEST(CoachSession, ALostLinkEndsTheRoleAndTheBoatStopsByItself) {
     ASSERT_TRUE(bench.within(300, [&] { return bench.sim.boat(5)->velocity().forward == 7; }));
     ASSERT_TRUE(bench.sim.perform("plugged", -1, 0));
     bench.wait(50);
-    EXPECT_EQ(bench[0].state().link, LinkState::Waiting);
+    EXPECT_EQ(bench[0].state().link, LinkState::Searching);
     EXPECT_FALSE(bench[0].state().role);
     EXPECT_EQ(bench[0].stop().reason(), StopReason::LinkLost);
     EXPECT_EQ(bench[0].count(EventKind::LinkLost), 1U);
