@@ -92,6 +92,8 @@ const char* name(Errc code) {
             return "already-there";
         case Errc::NotVerified:
             return "not-verified";
+        case Errc::DeviceRefused:
+            return "device-refused";
         case Errc::WrongSignature:
             return "wrong-signature";
         case Errc::NoMovementCode:

@@ -74,6 +74,8 @@ enum class Errc : std::uint8_t {
     RadioNotReady,
     RadioNotSet,
     RadioDiffers,
+    // Smart devices.
+    DeviceRefused,
 };
 
 /// An error as a value: what kind, and the facts of this case. Plain, copyable, usable from any thread.

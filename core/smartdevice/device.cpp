@@ -1,0 +1,392 @@
+#include "core/smartdevice/device.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace kickstand::smartdevice {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Duration kQuietAfter = std::chrono::seconds(1);
+constexpr Duration kLostAfter = std::chrono::seconds(3);
+constexpr Duration kAnswerLimit = milliseconds(500);
+/// So long without a sample that should have come, while heartbeats are answered: the board began anew.
+constexpr Duration kUpdatesMissing = std::chrono::seconds(1);
+constexpr Duration kLearnLimit = milliseconds(100);
+constexpr std::uint16_t kUsualDelay_ms = 40;
+constexpr int kHighestBit = wire::kMostParameters - 1;
+
+constexpr wire::ParameterMask bit(int parameter) {
+    return static_cast<wire::ParameterMask>(1U << parameter);
+}
+
+Error errorOf(Errc code, std::string subject = {}) {
+    Error error;
+    error.code = code;
+    error.subject = std::move(subject);
+    return error;
+}
+
+/// The kind of a board that nobody knows, before anything was found out.
+SharedDeviceSpec unknownKind(const wire::Uid& uid) {
+    DeviceSpec spec;
+    spec.id = uid.device();
+    spec.name = "Device" + std::to_string(spec.id);
+    spec.known = false;
+    return std::make_shared<const DeviceSpec>(std::move(spec));
+}
+
+}  // namespace
+
+Device::Device(int number, const wire::Uid& uid, SharedDeviceSpec spec, DeviceHost host)
+    : host_(std::move(host)) {
+    state_.number = number;
+    state_.uid = uid;
+    state_.learning = spec == nullptr;
+    state_.spec = spec == nullptr ? unknownKind(uid) : std::move(spec);
+    state_.parameters.resize(state_.spec->parameters.size());
+    state_.wanted = state_.spec->readable();
+    state_.wantedDelay_ms = kUsualDelay_ms;
+    learnt_ = *state_.spec;
+}
+
+void Device::raise(EventKind kind, std::string text, std::int64_t code, std::int64_t previous, double value) {
+    Event event;
+    event.kind = kind;
+    event.text = std::move(text);
+    event.code = code;
+    event.previous = previous;
+    event.value = value;
+    host_.event(std::move(event));
+}
+
+// ---- Coming and going.
+
+void Device::connected(const std::string& port, TimePoint now) {
+    state_.port = port;
+    state_.heardAt = now;
+    state_.disabled = false;
+    state_.presence = Presence::Live;
+    heartbeat_.restart(now);
+    if (state_.learning) {
+        learning_ = -1;
+        learnt_.parameters.clear();
+        learnNext(now);
+    } else {
+        askForUpdates(now);
+    }
+    host_.changed();
+}
+
+void Device::disconnected(TimePoint now) {
+    state_.presence = Presence::Lost;
+    state_.subscribed = 0;
+    state_.delay_ms = 0;
+    driving_ = 0;
+    state_.driving = false;
+    for (const CommandId id : judge_.abandon())
+        host_.answer(id, fail(Errc::Disconnected, state_.spec->name));
+    for (const PendingRead& read : std::exchange(reads_, {}))
+        host_.answer(read.id, fail(Errc::Disconnected, state_.spec->name));
+    for (const PendingSubscription& one : std::exchange(subscriptions_, {}))
+        host_.answer(one.id, fail(Errc::Disconnected, state_.spec->name));
+    for (ParameterState& parameter : state_.parameters) {
+        if (parameter.verdict == WriteVerdict::Pending) parameter.verdict = WriteVerdict::None;
+    }
+    for (std::size_t i = 0; i < state_.parameters.size(); ++i)
+        host_.samples->gap({static_cast<std::uint16_t>(state_.number), static_cast<std::uint16_t>(i)}, now);
+    host_.changed();
+}
+
+void Device::setPresence(Presence presence) {
+    if (state_.presence == presence) return;
+    state_.presence = presence;
+    if (presence == Presence::Quiet) raise(EventKind::DeviceQuiet);
+    host_.changed();
+}
+
+void Device::step(TimePoint now) {
+    if (!isLive()) return;
+    if (const auto beat = heartbeat_.due(now)) host_.send(wire::HeartbeatRequest{*beat});
+    if (learning_ >= 0 && now >= learnUntil_) learnNext(now);
+    const Duration silence = now - state_.heardAt;
+    if (silence >= kLostAfter) return setPresence(Presence::Lost);
+    if (silence >= kQuietAfter) setPresence(Presence::Quiet);
+    judge_.step(now);
+    applyJudgements();
+    const auto tooLate = [&](const auto& pending) {
+        if (now < pending.deadline) return false;
+        host_.answer(pending.id, fail(errorOf(Errc::TimedOut, state_.spec->name)));
+        return true;
+    };
+    std::erase_if(reads_, tooLate);
+    std::erase_if(subscriptions_, tooLate);
+    watchUpdates(now);
+}
+
+void Device::watchUpdates(TimePoint now) {
+    if (state_.subscribed == 0 || state_.delay_ms == 0 || state_.presence != Presence::Live) return;
+    const Duration limit = std::max<Duration>(kUpdatesMissing, 4 * milliseconds(state_.delay_ms));
+    if (now - sampleAt_ < limit) return;
+    raise(EventKind::DeviceReset);
+    askForUpdates(now);
+}
+
+// ---- What comes.
+
+void Device::message(const wire::Message& message, TimePoint now) {
+    state_.heardAt = now;
+    setPresence(Presence::Live);
+    if (const auto* response = std::get_if<wire::SubscriptionResponse>(&message)) {
+        take(*response, now);
+    } else if (const auto* data = std::get_if<wire::DeviceData>(&message)) {
+        take(*data, now);
+    } else if (const auto* beat = std::get_if<wire::HeartbeatRequest>(&message)) {
+        host_.send(wire::HeartbeatResponse{beat->id});
+    } else if (const auto* answer = std::get_if<wire::HeartbeatResponse>(&message)) {
+        if (heartbeat_.answered(answer->id, now)) state_.latency = heartbeat_.latency();
+    } else if (const auto* error = std::get_if<wire::ErrorMessage>(&message)) {
+        state_.lastError = error->code;
+        raise(EventKind::DeviceError, {}, error->code);
+    }
+    host_.changed();
+}
+
+void Device::take(const wire::SubscriptionResponse& message, TimePoint now) {
+    state_.subscribed = message.delay_ms == 0 ? wire::ParameterMask{0} : message.parameters;
+    const std::uint16_t before = std::exchange(state_.delay_ms, message.delay_ms);
+    sampleAt_ = now;
+    if (before != message.delay_ms) raise(EventKind::Subscribed, {}, message.delay_ms, state_.wantedDelay_ms);
+    if (subscriptions_.empty()) return;
+    const PendingSubscription first = subscriptions_.front();
+    subscriptions_.erase(subscriptions_.begin());
+    host_.answer(first.id, {});
+}
+
+bool Device::fits(const wire::DeviceData& message) {
+    std::size_t expected = 0;
+    bool known = true;
+    for (int i = 0; i < wire::kMostParameters; ++i) {
+        if ((message.parameters & bit(i)) == 0) continue;
+        const auto at = static_cast<std::size_t>(i);
+        known = known && at < state_.parameters.size();
+        if (known) expected += state_.spec->parameters[at].width();
+    }
+    if (known && expected == message.values.size()) return true;
+    if (!std::exchange(misfitTold_, true))
+        raise(EventKind::Misfit, {}, static_cast<std::int64_t>(message.values.size()),
+              static_cast<std::int64_t>(expected));
+    return false;
+}
+
+void Device::take(const wire::DeviceData& message, TimePoint now) {
+    if (learning_ >= 0) return learned(message, now);
+    ++state_.samples;
+    sampleAt_ = now;
+    if (!fits(message)) return;
+    store(message, now);
+    judge_.data(message.parameters, state_.subscribed != 0 && message.parameters == state_.subscribed,
+                state_.parameters);
+    applyJudgements();
+    std::erase_if(reads_, [&](PendingRead& read) {
+        read.missing = static_cast<wire::ParameterMask>(read.missing & ~message.parameters);
+        if (read.missing == 0) host_.answer(read.id, {});
+        return read.missing == 0;
+    });
+}
+
+void Device::store(const wire::DeviceData& message, TimePoint now) {
+    ByteView left = message.values.view();
+    for (std::size_t i = 0; i < state_.parameters.size(); ++i) {
+        if ((message.parameters & bit(static_cast<int>(i))) == 0) continue;
+        const ParameterSpec& spec = state_.spec->parameters[i];
+        const auto value = wire::readValue(spec.type, left.first(spec.width()));
+        left = left.subspan(spec.width());
+        if (!value) continue;
+        state_.parameters[i].value = value;
+        state_.parameters[i].at = now;
+        if (const auto number = wire::toNumber(*value))
+            host_.samples->sample({static_cast<std::uint16_t>(state_.number), static_cast<std::uint16_t>(i)},
+                                  now, static_cast<float>(*number));
+    }
+}
+
+// ---- What is asked for.
+
+void Device::askForUpdates(TimePoint now) {
+    sampleAt_ = now;
+    host_.send(wire::SubscriptionRequest{state_.wanted, state_.wantedDelay_ms});
+}
+
+void Device::subscribe(CommandId id, const Subscribe& command, TimePoint now) {
+    state_.wanted = static_cast<wire::ParameterMask>(command.parameters & state_.spec->readable());
+    state_.wantedDelay_ms = command.delay_ms;
+    subscriptions_.push_back({id, now + kAnswerLimit});
+    askForUpdates(now);
+    host_.changed();
+}
+
+void Device::read(CommandId id, const ReadValues& command, TimePoint now) {
+    const auto mask = static_cast<wire::ParameterMask>(command.parameters & state_.spec->readable());
+    if (mask == 0)
+        return host_.answer(id, fail(Errc::BadArgument, state_.spec->name, "nothing of it can be read"));
+    if (!host_.send(wire::DeviceRead{mask})) return host_.answer(id, fail(Errc::QueueFull, state_.port));
+    reads_.push_back({id, mask, now + kAnswerLimit});
+}
+
+Result<void> Device::checkWrite(const WriteValues& command) const {
+    if (command.values.empty()) return fail(Errc::BadArgument, state_.spec->name, "no value was given");
+    for (const auto& [parameter, value] : command.values) {
+        if (parameter < 0 || parameter >= static_cast<int>(state_.spec->parameters.size()))
+            return fail(Errc::BadArgument, std::to_string(parameter),
+                        state_.spec->name + " has no such parameter");
+        const ParameterSpec& spec = state_.spec->parameters[static_cast<std::size_t>(parameter)];
+        if (!spec.writable()) return fail(Errc::BadArgument, spec.name, "it can only be read");
+        if (wire::typeOf(value) != spec.type || wire::bytesOf(value).size() != spec.width())
+            return fail(Errc::BadArgument, spec.name, std::string("it is a ") + wire::name(spec.type));
+        const auto number = wire::toNumber(value);
+        if (!number ||
+            !((spec.lowest && *number < *spec.lowest) || (spec.highest && *number > *spec.highest)))
+            continue;
+        Error error = errorOf(Errc::OutOfRange, spec.name);
+        error.detail = wire::toText(value);
+        if (spec.lowest) error.lowest = static_cast<std::int64_t>(*spec.lowest);
+        if (spec.highest) error.highest = static_cast<std::int64_t>(*spec.highest);
+        return fail(std::move(error));
+    }
+    return {};
+}
+
+void Device::write(CommandId id, const WriteValues& command, TimePoint now) {
+    if (auto right = checkWrite(command); !right) return host_.answer(id, std::move(right));
+    std::map<int, wire::Value> readable;
+    for (const auto& [parameter, value] : command.values) {
+        ParameterState& state = state_.parameters[static_cast<std::size_t>(parameter)];
+        const bool confirmed = state_.spec->parameters[static_cast<std::size_t>(parameter)].readable();
+        state.written = value;
+        state.verdict = confirmed ? WriteVerdict::Pending : WriteVerdict::Unconfirmed;
+        if (confirmed) readable.insert_or_assign(parameter, value);
+    }
+    sendValues(command.values);
+    if (readable.empty())
+        host_.answer(id, {});
+    else
+        judge_.begin(id, std::move(readable), state_.parameters, now);
+    applyJudgements();
+    host_.changed();
+}
+
+void Device::sendValues(const std::vector<std::pair<int, wire::Value>>& values) {
+    wire::DeviceWrite message;
+    std::map<int, wire::Value> ascending;
+    for (const auto& [parameter, value] : values)
+        ascending.insert_or_assign(parameter, value);
+    for (const auto& [parameter, value] : ascending) {
+        message.parameters = static_cast<wire::ParameterMask>(message.parameters | bit(parameter));
+        wire::appendValue(message.values, value);
+        noteDriving(parameter, value);
+    }
+    state_.disabled = false;
+    host_.send(message);
+}
+
+void Device::noteDriving(int parameter, const wire::Value& value) {
+    if (!state_.spec->parameters[static_cast<std::size_t>(parameter)].zeroOnStop) return;
+    const bool drives = wire::toNumber(value).value_or(0) != 0;
+    driving_ =
+        static_cast<wire::ParameterMask>(drives ? driving_ | bit(parameter) : driving_ & ~bit(parameter));
+    state_.driving = driving_ != 0;
+}
+
+void Device::applyJudgements() {
+    for (const auto& [parameter, verdict] : judge_.takeJudgements()) {
+        ParameterState& state = state_.parameters[static_cast<std::size_t>(parameter)];
+        const std::string& name = state_.spec->parameters[static_cast<std::size_t>(parameter)].name;
+        state.verdict = verdict;
+        if (verdict == WriteVerdict::Refused) raise(EventKind::WriteRefused, name);
+        if (verdict == WriteVerdict::Changed)
+            raise(EventKind::WriteChanged, name, 0, 0,
+                  state.value ? wire::toNumber(*state.value).value_or(0) : 0);
+        host_.changed();
+    }
+    for (const WriteJudge::Ended& ended : judge_.takeEnded()) {
+        if (!ended.refused) {
+            host_.answer(ended.id, {});
+            continue;
+        }
+        const auto at = static_cast<std::size_t>(ended.firstRefused);
+        host_.answer(ended.id,
+                     fail(Errc::DeviceRefused, state_.spec->parameters[at].name, state_.spec->name));
+    }
+}
+
+// ---- Stopping.
+
+Result<void> Device::disable() {
+    driving_ = 0;
+    state_.driving = false;
+    state_.disabled = true;
+    host_.changed();
+    if (!host_.send(wire::DeviceDisable{})) return fail(Errc::QueueFull, state_.port);
+    raise(EventKind::Disabled);
+    return {};
+}
+
+void Device::stop() {
+    for (const CommandId id : judge_.abandon())
+        host_.answer(id, fail(Errc::StopLatched));
+    for (ParameterState& parameter : state_.parameters) {
+        if (parameter.verdict == WriteVerdict::Pending) parameter.verdict = WriteVerdict::None;
+    }
+    if (!isLive()) return;
+    std::vector<std::pair<int, wire::Value>> zeros;
+    for (std::size_t i = 0; i < state_.spec->parameters.size(); ++i) {
+        const ParameterSpec& spec = state_.spec->parameters[i];
+        const auto zero = wire::fromNumber(spec.type, 0);
+        if (spec.zeroOnStop && zero) zeros.emplace_back(static_cast<int>(i), *zero);
+    }
+    if (!zeros.empty()) sendValues(zeros);
+    driving_ = 0;
+    state_.driving = false;
+    state_.disabled = true;
+    host_.send(wire::DeviceDisable{});
+    host_.changed();
+}
+
+// ---- Finding out what a board of an unknown kind has.
+
+void Device::learnNext(TimePoint now) {
+    if (++learning_ > kHighestBit) return endLearning(now);
+    learnUntil_ = now + kLearnLimit;
+    host_.send(wire::DeviceRead{bit(learning_)});
+}
+
+void Device::learned(const wire::DeviceData& message, TimePoint now) {
+    const bool answers = message.parameters == bit(learning_) && !message.values.empty() &&
+                         message.values.size() <= wire::kWidestValue;
+    if (!answers) return;
+    // What lies between cannot be read; it stays without a width.
+    while (static_cast<int>(learnt_.parameters.size()) <= learning_) {
+        ParameterSpec spec;
+        spec.name = "parameter" + std::to_string(learnt_.parameters.size());
+        spec.access = Access::Write;
+        learnt_.parameters.push_back(std::move(spec));
+    }
+    learnt_.parameters.back().access = Access::ReadWrite;
+    learnt_.parameters.back().rawWidth = static_cast<std::uint8_t>(message.values.size());
+    learnNext(now);
+}
+
+void Device::endLearning(TimePoint now) {
+    learning_ = -1;
+    state_.learning = false;
+    state_.spec = std::make_shared<const DeviceSpec>(learnt_);
+    state_.parameters.assign(learnt_.parameters.size(), ParameterState{});
+    state_.wanted = state_.spec->readable();
+    askForUpdates(now);
+    host_.changed();
+}
+
+}  // namespace kickstand::smartdevice

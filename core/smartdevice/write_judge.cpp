@@ -1,0 +1,107 @@
+#include "core/smartdevice/write_judge.h"
+
+#include <chrono>
+
+namespace kickstand::smartdevice {
+namespace {
+
+constexpr Duration kLongest = std::chrono::milliseconds(250);
+
+constexpr wire::ParameterMask bit(int parameter) {
+    return static_cast<wire::ParameterMask>(1U << parameter);
+}
+
+}  // namespace
+
+void WriteJudge::begin(CommandId id, std::map<int, wire::Value> values,
+                       const std::vector<ParameterState>& parameters, TimePoint now) {
+    // Of a parameter that is written again before it was judged, only the last counts.
+    for (Flight& flight : flights_) {
+        for (const auto& [parameter, value] : values)
+            flight.open.erase(parameter);
+    }
+    Flight flight;
+    flight.id = id;
+    flight.end.id = id;
+    flight.deadline = now + kLongest;
+    for (const auto& [parameter, value] : values) {
+        flight.mask = static_cast<wire::ParameterMask>(flight.mask | bit(parameter));
+        flight.before[parameter] = parameters.at(static_cast<std::size_t>(parameter)).value;
+    }
+    flight.open = std::move(values);
+    flights_.push_back(std::move(flight));
+    removeEnded();
+}
+
+void WriteJudge::data(wire::ParameterMask mask, bool sample, const std::vector<ParameterState>& parameters) {
+    bool answers = !sample;
+    for (Flight& flight : flights_) {
+        take(flight, mask, parameters);
+        const bool within = mask != 0 && (mask & ~flight.mask) == 0;
+        if (answers && within && !flight.hasAnswer) {
+            flight.hasAnswer = true;
+            flight.answered = mask;
+            answers = false;
+        } else if (flight.hasAnswer && ++flight.samplesAfter >= 1) {
+            judgeRest(flight);
+        }
+    }
+    removeEnded();
+}
+
+void WriteJudge::take(Flight& flight, wire::ParameterMask mask,
+                      const std::vector<ParameterState>& parameters) {
+    for (auto entry = flight.open.begin(); entry != flight.open.end();) {
+        const auto& [parameter, value] = *entry;
+        const auto& told = parameters.at(static_cast<std::size_t>(parameter)).value;
+        const bool came = (mask & bit(parameter)) != 0 && told.has_value();
+        if (came) flight.last.insert_or_assign(parameter, *told);
+        const bool isThere = came && *told == value;
+        if (isThere) judgements_.push_back({parameter, WriteVerdict::Done});
+        entry = isThere ? flight.open.erase(entry) : std::next(entry);
+    }
+}
+
+void WriteJudge::note(Flight& flight, int parameter, WriteVerdict verdict) {
+    judgements_.push_back({parameter, verdict});
+    if (verdict != WriteVerdict::Refused || flight.end.refused) return;
+    flight.end.refused = true;
+    flight.end.firstRefused = parameter;
+}
+
+bool WriteJudge::isChanged(const Flight& flight, int parameter) {
+    if (flight.hasAnswer) return (flight.answered & bit(parameter)) != 0;
+    // Without an answer of its own only the samples are left to go by: the old value means that it was left.
+    const auto last = flight.last.find(parameter);
+    return last != flight.last.end() && flight.before.at(parameter) != last->second;
+}
+
+void WriteJudge::judgeRest(Flight& flight) {
+    for (const auto& [parameter, value] : flight.open)
+        note(flight, parameter, isChanged(flight, parameter) ? WriteVerdict::Changed : WriteVerdict::Refused);
+    flight.open.clear();
+}
+
+void WriteJudge::step(TimePoint now) {
+    for (Flight& flight : flights_) {
+        if (now >= flight.deadline) judgeRest(flight);
+    }
+    removeEnded();
+}
+
+std::vector<CommandId> WriteJudge::abandon() {
+    std::vector<CommandId> ids;
+    for (const Flight& flight : flights_)
+        ids.push_back(flight.id);
+    flights_.clear();
+    return ids;
+}
+
+void WriteJudge::removeEnded() {
+    std::erase_if(flights_, [this](const Flight& flight) {
+        if (flight.open.empty()) ended_.push_back(flight.end);
+        return flight.open.empty();
+    });
+}
+
+}  // namespace kickstand::smartdevice
