@@ -7,7 +7,9 @@
 #include "app/composition/simulated_lines.h"
 #include "app/composition/usb_links.h"
 #include "app/composition/usbip_links.h"
+#include "app/composition/user_catalogue.h"
 #include "core/link/loopback/loopback_usb_link.h"
+#include "core/smartdevice/sim/simulated_ports.h"
 #include "core/thunderbots/sim/thunderbots_sim.h"
 
 namespace kickstand {
@@ -18,18 +20,22 @@ using thunderbots::sim::ThunderbotsSim;
 
 std::string simulatedNames() {
     const std::string lines = simulatedLineNames();
-    return "sim:thunderbots" + (lines.empty() ? lines : ", " + lines);
+    return "sim:thunderbots, sim:smartdevice" + (lines.empty() ? lines : ", " + lines);
 }
 
 std::string schemes() {
     return "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, " + simulatedNames();
 }
 
+bool isSimulatedSmartDevices(const LinkUri& uri) {
+    return uri.isSimulated() && uri.target == "smartdevice";
+}
+
 class ComposedLinks final : public LinkProvider {
   public:
     Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler& scheduler) override {
         if (auto exists = checkLink(uri); !exists) return fail(std::move(exists.error()));
-        if (isSerial(uri) || isSimulatedLine(uri))
+        if (isSerial(uri) || isSimulatedLine(uri) || isSimulatedSmartDevices(uri))
             return fail(Errc::BadUri, toString(uri), "USB: usb:, usb-cable:, usbip:HOST:PORT/BUSID");
         if (uri.isSimulated()) return makeSimulated(uri, scheduler);
         auto link = isUsbip(uri) ? makeUsbipLink(uri, scheduler) : makeHardwareLink(uri, scheduler);
@@ -46,8 +52,14 @@ class ComposedLinks final : public LinkProvider {
     }
 
     Result<ProvidedBytePorts> makeBytePorts(const LinkUri& uri, Scheduler& scheduler) override {
-        if (isSerial(uri)) return makeSerialPortList(uri, scheduler);
-        return fail(Errc::BadUri, toString(uri), "serial ports: serial:");
+        const bool simulated = isSimulatedSmartDevices(uri);
+        if (!isSerial(uri) && !simulated)
+            return fail(Errc::BadUri, toString(uri), "serial ports: serial:, sim:smartdevice");
+        auto provided = simulated ? makeBoards(uri, scheduler) : makeSerialPortList(uri, scheduler);
+        if (!provided) return provided;
+        provided->catalogue = catalogue_.text;
+        provided->catalogueSource = catalogue_.source;
+        return provided;
     }
 
     void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
@@ -66,6 +78,18 @@ class ComposedLinks final : public LinkProvider {
         return provided;
     }
 
+    static Result<ProvidedBytePorts> makeBoards(const LinkUri& uri, Scheduler& scheduler) {
+        const auto options = smartdevice::sim::parseSimOptions(uri);
+        if (!options) return fail(options.error());
+        const auto sim = std::make_shared<smartdevice::sim::SmartDeviceSim>(scheduler, *options);
+        ProvidedBytePorts provided;
+        provided.ports = smartdevice::sim::makeSimulatedPorts(scheduler, *sim, {.damage = options->noise});
+        provided.sim = sim.get();
+        provided.keepAlive = sim;
+        return provided;
+    }
+
+    const UserCatalogue catalogue_ = readUserCatalogue();
     DeviceFinder finder_{findHardware};
 };
 
@@ -80,6 +104,10 @@ Result<void> checkLink(const LinkUri& uri) {
     if (isUsbip(uri)) return checkUsbipLink(uri);
     if (isSerial(uri)) return checkSerialLink(uri);
     if (isSimulatedLine(uri)) return checkSimulatedLine(uri);
+    if (isSimulatedSmartDevices(uri)) {
+        const auto options = smartdevice::sim::parseSimOptions(uri);
+        return options ? Result<void>() : fail(options.error());
+    }
     if (!uri.isSimulated()) return fail(Errc::BadUri, toString(uri), schemes());
     if (uri.target != "thunderbots")
         return fail(Errc::Unsupported, toString(uri), "simulated are " + simulatedNames());

@@ -3,8 +3,8 @@
 namespace kickstand::sim {
 
 std::span<const CommandSpec> commands() {
-    static const std::vector<CommandSpec> kAll{thunderbotsCommand(), motionplanCommand(), coachCommand(),
-                                               ctlCommand()};
+    static const std::vector<CommandSpec> kAll{thunderbotsCommand(), smartDeviceCommand(),
+                                               motionplanCommand(), coachCommand(), ctlCommand()};
     return kAll;
 }
 

@@ -6,6 +6,7 @@ namespace kickstand::sim {
 
 // The commands, each in its file. commands() joins them.
 CommandSpec thunderbotsCommand();
+CommandSpec smartDeviceCommand();
 CommandSpec motionplanCommand();
 CommandSpec coachCommand();
 CommandSpec ctlCommand();

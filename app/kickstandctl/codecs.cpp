@@ -2,6 +2,7 @@
 
 #include "core/coach/wire/named_frame.h"
 #include "core/motionplan/wire/named.h"
+#include "core/smartdevice/wire/named_frame.h"
 #include "core/thunderbots/wire/fields.h"
 
 namespace kickstand::ctl {
@@ -41,6 +42,23 @@ Result<std::vector<CodecField>> decodeMotionplan(std::string_view name, ByteView
     return decoded;
 }
 
+std::vector<CodecMessage> smartDeviceMessages() {
+    namespace wire = smartdevice::wire;
+    const std::vector<std::string> fields = wire::namedFrameFields();
+    return {{std::string(wire::kFrameName), fields}, {std::string(wire::kHibikeFrameName), fields}};
+}
+
+Result<std::vector<CodecField>> decodeSmartDevice(std::string_view name, ByteView bytes) {
+    auto fields = smartdevice::wire::decodeNamedFrame(name, bytes);
+    if (!fields) return fail(std::move(fields.error()));
+    std::vector<CodecField> decoded;
+    for (smartdevice::wire::NamedField& field : *fields)
+        decoded.push_back({std::move(field.name), field.value, field.isBytes, std::move(field.bytes),
+                           field.physical, std::move(field.unit), std::move(field.label),
+                           std::move(field.description)});
+    return decoded;
+}
+
 std::vector<CodecMessage> coachMessages() {
     const std::vector<std::string> fields = coach::wire::namedFrameFields();
     return {{std::string(coach::wire::kFrameName), fields},
@@ -69,6 +87,7 @@ Result<std::vector<std::uint8_t>> encodeCoach(std::string_view name, std::span<c
 
 constexpr Codec kCodecs[] = {
     {"thunderbots", thunderbotsMessages, thunderbots::wire::decodeMessage, thunderbots::wire::encodeMessage},
+    {"smartdevice", smartDeviceMessages, decodeSmartDevice, smartdevice::wire::encodeNamedFrame},
     {"motionplan", motionplanMessages, decodeMotionplan, motionplan::wire::encodeNamed},
     {"coach", coachMessages, decodeCoach, encodeCoach},
 };

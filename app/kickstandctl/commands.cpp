@@ -11,8 +11,8 @@ std::span<const CommandSpec> commands() {
              {deviceCommands(), doctorCommands(), stopCommands(), codecCommands(), thunderbotsWatchCommands(),
               thunderbotsDriveCommands(), thunderbotsKickCommands(), thunderbotsSweepCommands(),
               thunderbotsCheckCommands(), thunderbotsSetupCommands(), thunderbotsFlashCommands(),
-              thunderbotsParametersCommands(), motionplanCommands(), motionplanRunCommands(), coachCommands(),
-              coachRadioCommands()})
+              thunderbotsParametersCommands(), smartDeviceCommands(), motionplanCommands(),
+              motionplanRunCommands(), coachCommands(), coachRadioCommands()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

@@ -19,6 +19,7 @@ std::span<const CommandSpec> thunderbotsCheckCommands();
 std::span<const CommandSpec> thunderbotsFlashCommands();
 std::span<const CommandSpec> thunderbotsSetupCommands();
 std::span<const CommandSpec> thunderbotsParametersCommands();
+std::span<const CommandSpec> smartDeviceCommands();
 std::span<const CommandSpec> motionplanCommands();
 std::span<const CommandSpec> motionplanRunCommands();
 std::span<const CommandSpec> coachCommands();

@@ -58,6 +58,11 @@ bool isAtRest(const coach::Snapshot& state, TimePoint since) {
     return view.sent && view.sent->isZero() && view.sentAt >= since;
 }
 
+/// Whether every device has been told to stop since then.
+bool isAtRest(const smartdevice::Snapshot& state, TimePoint since) {
+    return state.stoppedAt >= since;
+}
+
 }  // namespace
 
 SessionRunner::SessionRunner(const Context& context) : context_(context), engine_(makeLinkProvider()) {

@@ -185,6 +185,14 @@ constexpr ErrorText kRefusals[] = {
      QT_TRANSLATE_NOOP("Error", "Re-arm, and close what keeps the computer busy.")},
 };
 
+// Smart devices.
+constexpr ErrorText kSmartDevices[] = {
+    {Errc::DeviceRefused, QT_TRANSLATE_NOOP("Error", "{detail} did not take {subject}."),
+     QT_TRANSLATE_NOOP("Error", "Check the value, and whether the board is disabled or out of order.")},
+    {Errc::DeviceRefused, QT_TRANSLATE_NOOP("Error", "The device did not take it[: {subject}]."),
+     QT_TRANSLATE_NOOP("Error", "Check the value, and whether the board is disabled or out of order.")},
+};
+
 // Firmware: requests to robots, and uploads.
 constexpr ErrorText kFirmware[] = {
     {Errc::RequestPending,
@@ -307,7 +315,7 @@ constexpr auto joined(const ErrorText (&... groups)[Sizes]) {
     (append(groups), ...);
     return all;
 }
-constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware, kPlans, kCoach);
+constexpr auto kAll = joined(kInput, kDevices, kRefusals, kFirmware, kPlans, kCoach, kSmartDevices);
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "core/engine/describe_flash.h"
 #include "core/engine/describe_motionplan.h"
 #include "core/engine/describe_parameters.h"
+#include "core/engine/describe_smartdevice.h"
 #include "core/thunderbots/wire/faults.h"
 #include "core/thunderbots/wire/readings.h"
 #include "core/thunderbots/wire/test_mode.h"
@@ -262,6 +263,10 @@ EventText textOf(const motionplan::Event& event) {
 
 EventText textOf(const coach::Event& event) {
     return describeCoachEvent(event);
+}
+
+EventText textOf(const smartdevice::Event& event) {
+    return describeSmartDeviceEvent(event);
 }
 
 EventText textOf(const EngineNote& note) {

@@ -147,6 +147,25 @@ std::vector<Finding> diagnoseSession(const LinkUri& uri, const coach::Snapshot& 
     return {link};
 }
 
+/// A session that works with every port that there is, each of which stands for itself.
+std::vector<Finding> diagnoseSession(const LinkUri& uri, const smartdevice::Snapshot& state) {
+    std::vector<Finding> findings{finding(Check::Link, CheckState::Warning)};
+    findings.back().link = uri;
+    const bool heard = std::ranges::any_of(state.devices, [](const smartdevice::DeviceState& device) {
+        return device.presence == smartdevice::Presence::Live;
+    });
+    if (heard) findings.back().state = CheckState::Ok;
+    if (heard) findings.back().linkState = LinkState::Running;
+    for (const smartdevice::PortState& port : state.ports) {
+        if (!port.error) continue;
+        findings.push_back(finding(Check::Link, CheckState::Problem));
+        findings.back().link = uri;
+        findings.back().port = port.name;
+        findings.back().error = port.error;
+    }
+    return findings;
+}
+
 bool looksRunning(const SessionSnapshot& session) {
     return std::visit(
         [](const auto& state) { return state.link == std::decay_t<decltype(state.link)>::Running; },

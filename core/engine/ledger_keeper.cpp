@@ -31,6 +31,9 @@ void keep(Ledger& ledger, const thunderbots::Event& event, const std::string& so
     ledger.add(std::move(record));
 }
 
+/// Nothing of smart devices outlives a session.
+void keep(Ledger&, const smartdevice::Event&, const std::string&, std::chrono::system_clock::time_point) {}
+
 /// Nothing of motion plans outlives a session.
 void keep(Ledger&, const motionplan::Event&, const std::string&, std::chrono::system_clock::time_point) {}
 

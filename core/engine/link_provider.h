@@ -54,7 +54,9 @@ struct ProvidedByteLink {
 struct ProvidedBytePorts {
     std::shared_ptr<void> keepAlive;  ///< Simulated devices; destroyed after the ports and their links.
     std::unique_ptr<BytePorts> ports;
-    SimControl* sim = nullptr;  ///< Null for hardware.
+    SimControl* sim = nullptr;    ///< Null for hardware.
+    std::string catalogue;        ///< The text of the user's catalogue of boards; empty for none.
+    std::string catalogueSource;  ///< Where it was read from.
 };
 
 /// Turns URIs into links. Implemented by the composition of a program, the only place that knows which links

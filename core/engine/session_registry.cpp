@@ -6,6 +6,7 @@
 
 #include "core/coach/session.h"
 #include "core/motionplan/session.h"
+#include "core/smartdevice/session.h"
 #include "core/thunderbots/session.h"
 
 namespace kickstand {
@@ -56,6 +57,26 @@ bool isOnLine(const LinkUri& uri, std::string_view system) {
     return uri.scheme == "serial" && protocol != uri.options.end() && protocol->second == system;
 }
 
+Result<MadeSession> makeSmartDevices(const LinkUri& uri, LinkProvider& links,
+                                     const SessionEnvironment& environment) {
+    auto provided = links.makeBytePorts(uri, environment.scheduler);
+    if (!provided) return fail(provided.error());
+    MadeSession made;
+    made.keepAlive = std::move(provided->keepAlive);
+    made.sim = provided->sim;
+    smartdevice::Session::Host host{environment.scheduler, environment.stop, environment.samples,
+                                    environment.event, environment.answer};
+    made.session = std::make_unique<SystemSessionOf<smartdevice::Session, smartdevice::Command>>(
+        std::move(host), smartdevice::SessionParts{std::move(provided->ports), std::move(provided->catalogue),
+                                                   std::move(provided->catalogueSource)});
+    return made;
+}
+
+/// Without a protocol a serial port is one for smart devices.
+bool isSmartDevices(const LinkUri& uri) {
+    return isOnLine(uri, "smartdevice") || (uri.scheme == "serial" && !uri.options.contains("protocol"));
+}
+
 bool isMotionplan(const LinkUri& uri) {
     return isOnLine(uri, "motionplan");
 }
@@ -71,6 +92,7 @@ bool isThunderbots(const LinkUri& uri) {
 
 constexpr std::array kSystems{
     System{"thunderbots", isThunderbots, makeThunderbots},
+    System{"smartdevice", isSmartDevices, makeSmartDevices},
     System{"motionplan", isMotionplan, makeOnLine<motionplan::Session, motionplan::Command>},
     System{"coach", isCoach, makeOnLine<coach::Session, coach::Command>},
 };

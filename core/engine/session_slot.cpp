@@ -49,6 +49,28 @@ std::optional<Mark> markOf(const thunderbots::Event& event) {
     }
 }
 
+std::optional<Mark> markOf(const smartdevice::Event& event) {
+    using Kind = smartdevice::EventKind;
+    Mark mark;
+    mark.time = event.time;
+    if (event.robot >= 0) mark.unit = static_cast<std::uint16_t>(event.robot);
+    switch (event.kind) {
+        case Kind::DeviceFound:
+        case Kind::DeviceBack:
+            mark.kind = MarkKind::UnitHeard;
+            return mark;
+        case Kind::DeviceLost:
+            mark.kind = MarkKind::UnitLost;
+            return mark;
+        case Kind::DeviceError:
+            mark.kind = MarkKind::DeviceError;
+            mark.value = static_cast<float>(event.code);
+            return mark;
+        default:
+            return std::nullopt;
+    }
+}
+
 std::optional<Mark> markOf(const motionplan::Event& event) {
     using Kind = motionplan::EventKind;
     Mark mark;

@@ -8,6 +8,9 @@
 #include "core/motionplan/commands.h"
 #include "core/motionplan/events.h"
 #include "core/motionplan/snapshot.h"
+#include "core/smartdevice/commands.h"
+#include "core/smartdevice/events.h"
+#include "core/smartdevice/snapshot.h"
 #include "core/thunderbots/commands.h"
 #include "core/thunderbots/events.h"
 #include "core/thunderbots/snapshot.h"
@@ -16,8 +19,10 @@ namespace kickstand {
 
 // The systems that the engine knows. A new one adds an alternative to each line here, and a line to
 // core/engine/session_registry.cpp.
-using SystemCommand = std::variant<thunderbots::Command, motionplan::Command, coach::Command>;
-using SystemEvent = std::variant<thunderbots::Event, motionplan::Event, coach::Event>;
-using SystemSnapshot = std::variant<thunderbots::Snapshot, motionplan::Snapshot, coach::Snapshot>;
+using SystemCommand =
+    std::variant<thunderbots::Command, motionplan::Command, coach::Command, smartdevice::Command>;
+using SystemEvent = std::variant<thunderbots::Event, motionplan::Event, coach::Event, smartdevice::Event>;
+using SystemSnapshot =
+    std::variant<thunderbots::Snapshot, motionplan::Snapshot, coach::Snapshot, smartdevice::Snapshot>;
 
 }  // namespace kickstand

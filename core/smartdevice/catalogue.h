@@ -26,6 +26,7 @@ struct ParameterSpec {
     std::optional<double> highest{};
     std::uint8_t rawWidth = 0;  ///< Bytes of a Raw one, as the device sent them.
     bool zeroOnStop = false;    ///< STOP writes zero to it: what drives a motor, never a position.
+    bool moves = false;         ///< What it does goes on: a motor, a servo.
     std::string note{};
 
     /// Bytes on the wire.

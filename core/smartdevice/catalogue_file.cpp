@@ -108,8 +108,8 @@ class Reader {
             parameter.name = std::move(*name);
         else
             return fail(std::move(name.error()));
-        if (auto known =
-                onlyKnows(json, {"name", "type", "access", "unit", "lowest", "highest", "stop", "note"});
+        if (auto known = onlyKnows(
+                json, {"name", "type", "access", "unit", "lowest", "highest", "moves", "stop", "note"});
             !known)
             return fail(std::move(known.error()));
         const auto type = wire::valueType(textOf(json, "type"));
@@ -125,6 +125,7 @@ class Reader {
             if (!parameter.zeroOnStop || !parameter.writable())
                 return bad("stop can only be \"zero\", of what can be written");
         }
+        parameter.moves = parameter.zeroOnStop || json.value("moves", Json()) == true;
         return readRange(json, std::move(parameter));
     }
 

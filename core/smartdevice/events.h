@@ -35,7 +35,7 @@ std::string_view name(EventKind kind) noexcept;
 struct Event {
     EventKind kind = EventKind::PortFound;
     TimePoint time{};
-    int device = -1;  ///< The device it concerns, or -1.
+    int robot = -1;  ///< The device it concerns, or -1.
     std::int64_t code = 0;
     std::int64_t previous = 0;
     double value = 0;

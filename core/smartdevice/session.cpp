@@ -22,7 +22,7 @@ void Session::raise(EventKind kind, int device, std::string text, std::int64_t c
     Event event;
     event.kind = kind;
     event.time = host_.scheduler.now();
-    event.device = device;
+    event.robot = device;
     event.text = std::move(text);
     event.code = code;
     host_.event(event);
@@ -105,7 +105,7 @@ Device* Session::makeDevice(const wire::Uid& uid) {
         return place != nullptr && place->line->send(message);
     };
     host.event = [this, number](Event event) {
-        event.device = number;
+        event.robot = number;
         event.time = host_.scheduler.now();
         host_.event(event);
         ++version_;
@@ -210,6 +210,7 @@ void Session::stepDevices(TimePoint now) {
 
 void Session::halt() {
     blocked_ = true;
+    stoppedAt_ = host_.scheduler.now();
     ++version_;
     for (const auto& device : devices_) {
         const bool there = placeOf(*device) != nullptr;
@@ -243,7 +244,8 @@ void Session::shutdown(std::function<void()> done) {
 Snapshot Session::snapshot() const {
     Snapshot snapshot;
     snapshot.time = host_.scheduler.now();
-    snapshot.looked = looked_;
+    snapshot.link = looked_ ? LinkState::Running : LinkState::Opening;
+    snapshot.stoppedAt = stoppedAt_;
     snapshot.blocked = blocked_;
     for (const auto& place : places_)
         snapshot.ports.push_back(place->line->state());

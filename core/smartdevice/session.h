@@ -79,6 +79,7 @@ class Session {
     bool blocked_ = false;
     bool ending_ = false;
     std::uint64_t version_ = 0;
+    TimePoint stoppedAt_{};
     std::size_t closing_ = 0;
     std::function<void()> shutDown_;
 };

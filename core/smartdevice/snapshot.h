@@ -85,13 +85,19 @@ struct PortState {
     int device = -1;  ///< Who answered there.
 };
 
+/// How the whole stands: it runs once the ports have been looked at, and what is at one of them is its own
+/// affair.
+enum class LinkState : std::uint8_t { Idle, Searching, Opening, Running, Failed };
+
 /// Everything as it is now.
 struct Snapshot {
     TimePoint time{};
-    bool looked = false;   ///< Whether the ports have been looked at yet.
-    bool blocked = false;  ///< STOP is latched: nothing is written.
+    LinkState link = LinkState::Idle;
+    std::optional<Error> error{};  ///< Never any: ports fail one by one.
+    bool blocked = false;          ///< STOP is latched: nothing is written.
     std::vector<PortState> ports;
     std::vector<DeviceState> devices;  ///< Device n at place n.
+    TimePoint stoppedAt{};             ///< When STOP was sent to all devices last.
 };
 
 }  // namespace kickstand::smartdevice

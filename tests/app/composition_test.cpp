@@ -25,6 +25,7 @@ TEST(Composition, TakesItsLinks) {
     for (const char* text :
          {"usb:", "usb:?port=1-2.3", "usb-cable:", "usb-cable:?port=1-2.3", "sim:thunderbots",
           "sim:thunderbots?robots=0-15&loss=0.02&seed=1&radio=ideal", "sim:thunderbots?cable=3",
+          "sim:smartdevice", "sim:smartdevice?devices=PolarBear,Encoder.hibike&noise=0.01&seed=2&boot_ms=100",
           "usbip:127.0.0.1:3240/1-1", "usbip:bench.local/1-1", "usbip:[::1]:3241/2-1.4",
           "serial:", "serial:/dev/ttyACM0", "serial:/dev/ttyACM0?protocol=smartdevice&baud=115200",
           "serial:/dev/ttyUSB0?protocol=coach", "serial:COM3?protocol=motionplan&baud=9600"})
@@ -48,13 +49,18 @@ TEST(Composition, RefusesEverythingElse) {
     EXPECT_EQ(refusalOf("sim:nothing"), Errc::Unsupported);
     EXPECT_EQ(refusalOf("sim:"), Errc::Unsupported);
     EXPECT_EQ(refusalOf("sim:thunderbots?robts=3"), Errc::UnknownName);
+    EXPECT_EQ(refusalOf("sim:smartdevice?devices=Toaster"), Errc::UnknownName);
+    EXPECT_EQ(refusalOf("sim:smartdevice?devices="), Errc::BadArgument);
+    EXPECT_EQ(refusalOf("sim:smartdevice?colour=red"), Errc::UnknownName);
+    EXPECT_EQ(refusalOf("sim:smartdevice?noise=2"), Errc::OutOfRange);
+    EXPECT_EQ(refusalOf("sim:smartdevice?seed=x"), Errc::BadArgument);
     EXPECT_EQ(refusalOf("sim:thunderbots?loss=2"), Errc::OutOfRange);
 }
 
 TEST(Composition, NamesWhatItWouldTake) {
     EXPECT_EQ(checkLink(*parseLinkUri("tcp:host")).error().detail,
               "usb:, usb-cable:, usbip:HOST:PORT/BUSID, serial:PATH?protocol=NAME, sim:thunderbots, "
-              "sim:motionplan, sim:coach");
+              "sim:smartdevice, sim:motionplan, sim:coach");
 }
 
 TEST(Composition, MakesASimulatedDongleThatOpens) {
@@ -71,6 +77,22 @@ TEST(Composition, MakesASimulatedDongleThatOpens) {
     EXPECT_EQ(info->vendor, 0x04D8);
     EXPECT_EQ(info->product, 0x7839);
     provided->link.reset();
+}
+
+TEST(Composition, MakesSimulatedBoardsWithPortsOfTheirOwn) {
+    FakeScheduler scheduler;
+    const auto links = makeLinkProvider();
+    auto provided = links->makeBytePorts(*parseLinkUri("sim:smartdevice?devices=PolarBear,RFID"), scheduler);
+    ASSERT_TRUE(provided);
+    ASSERT_NE(provided->sim, nullptr);
+    std::vector<BytePort> ports;
+    provided->ports->watch([&ports](const std::vector<BytePort>& now) { ports = now; });
+    scheduler.runPending();
+    EXPECT_EQ(ports.size(), 2U);
+    provided->ports.reset();
+    EXPECT_FALSE(links->makeBytePorts(*parseLinkUri("sim:thunderbots"), scheduler));
+    EXPECT_FALSE(links->makeByteLink(*parseLinkUri("sim:smartdevice"), scheduler));
+    EXPECT_FALSE(links->makeUsbLink(*parseLinkUri("sim:smartdevice"), scheduler));
 }
 
 TEST(Composition, MakesNoLinkThatItRefuses) {

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-programs=(thunderbots/bench_engine thunderbots/bench_engine_usbip thunderbots/bench_decode thunderbots/bench_flash coach/bench_xbee telemetry/bench_telemetry
+programs=(thunderbots/bench_engine thunderbots/bench_engine_usbip thunderbots/bench_decode thunderbots/bench_flash coach/bench_xbee smartdevice/bench_smartdevice telemetry/bench_telemetry
     ui/bench_start ui/bench_plot)
 # Needs umockdev, without which there is no bus to emulate.
 if pkg-config --exists umockdev-1.0 && command -v umockdev-wrapper >/dev/null; then

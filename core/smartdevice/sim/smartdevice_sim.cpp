@@ -44,6 +44,7 @@ Result<std::vector<BoardOptions>> readBoards(std::string_view text) {
             board.dialect = wire::Dialect::Hibike;
             piece.remove_suffix(std::string_view(".hibike").size());
         }
+        if (piece.empty()) return fail(Errc::BadArgument, "devices", "a name is missing");
         if (findKind(piece) == nullptr) return fail(Errc::UnknownName, std::string(piece), knownKinds());
         board.kind = piece;
         boards.push_back(std::move(board));
@@ -60,7 +61,8 @@ wire::Uid uidOf(const BodyKind& kind, wire::Dialect dialect, int number) {
     uid.bytes[0] = kind.id;
     uid.bytes.at(season) = kSeason;
     for (std::size_t i = season + 1; i < wire::kUidSize; ++i)
-        uid.bytes.at(i) = static_cast<std::uint8_t>(i == season + 1 ? number + 1 : static_cast<int>(0x10 + i));
+        uid.bytes.at(i) =
+            static_cast<std::uint8_t>(i == season + 1 ? number + 1 : static_cast<int>(0x10 + i));
     return uid;
 }
 

@@ -60,6 +60,10 @@ TEST(Catalogue, APolarBearIsAsTheDocumentHasIt) {
     EXPECT_TRUE(duty.zeroOnStop);
     EXPECT_TRUE(bear->parameters[5].zeroOnStop);
     EXPECT_FALSE(bear->parameters[1].zeroOnStop);
+    EXPECT_TRUE(duty.moves);
+    EXPECT_TRUE(bear->parameters[1].moves);
+    EXPECT_FALSE(bear->parameters[2].moves);
+    EXPECT_TRUE(makeCatalogue()->find("ServoControl")->parameters[0].moves);
     EXPECT_EQ(makeCatalogue()->find("YogiBear")->parameters, bear->parameters);
 }
 

@@ -1,0 +1,80 @@
+#include <array>
+#include <filesystem>
+
+#include "app/kickstand-sim/board_simulation.h"
+#include "app/kickstand-sim/families.h"
+#include "app/kickstand-sim/pty_carrier.h"
+#include "app/kickstand-sim/serving.h"
+#include "app/kickstand-sim/words.h"
+#include "core/link/link_uri.h"
+
+namespace kickstand::sim {
+namespace {
+
+/// Options of the simulation, under the names that they have in a sim:smartdevice link as well.
+constexpr std::array<std::pair<const char*, const char*>, 3> kSimOptions{
+    {{"--type", "devices"}, {"--boot", "boot_ms"}, {"--seed", "seed"}}};
+
+ctl::Expected<smartdevice::sim::SmartDeviceSimOptions> readSimulation(const Invocation& invocation) {
+    LinkUri uri{.scheme = "sim", .target = "smartdevice", .options = {{"devices", "PolarBear"}}};
+    for (const auto& [option, name] : kSimOptions) {
+        if (invocation.has(option)) uri.options[name] = invocation.text(option);
+    }
+    auto options = smartdevice::sim::parseSimOptions(uri);
+    if (!options) return ctl::refusedInput(options.error());
+    return *options;
+}
+
+ctl::Outcome run(const Invocation& invocation) {
+    const auto simulated = readSimulation(invocation);
+    if (!simulated) return tl::unexpected(simulated.error());
+    if (invocation.text("--pty").empty())
+        return ctl::badUsage(Words::tr("Nothing says where the serial port is to be."),
+                             Words::tr("Add --pty PATH."));
+    std::error_code error;
+    const std::string path = std::filesystem::absolute(std::string(invocation.text("--pty")), error).string();
+    return serveUntilTold(invocation, [&](Scheduler& scheduler, Log&) -> ctl::Expected<Served> {
+        auto simulation = std::make_unique<BoardSimulation>(scheduler, *simulated);
+        std::vector<ServedLine> lines;
+        // Several boards have several ports: PATH, PATH1, PATH2, …
+        for (int i = 0; i < simulation->count(); ++i)
+            lines.push_back({&simulation->device(i), i == 0 ? path : path + std::to_string(i)});
+        auto carrier = PtyCarrier::serve(scheduler, lines, QStringLiteral("?protocol=smartdevice"));
+        if (!carrier) return tl::unexpected(carrier.error());
+        return Served{std::move(simulation), std::move(*carrier)};
+    });
+}
+
+constexpr std::array kOptions{
+    OptionSpec{"--pty", "PATH",
+               QT_TRANSLATE_NOOP("kickstand_sim",
+                                 "where the serial port is to be; of several boards PATH, PATH1, PATH2, …")},
+    OptionSpec{"--type", "LIST",
+               QT_TRANSLATE_NOOP("kickstand_sim",
+                                 "the boards, as in PolarBear,Encoder.hibike; one PolarBear without it")},
+    OptionSpec{"--boot", "MS",
+               QT_TRANSLATE_NOOP("kickstand_sim", "from the opening of the port to the first answer")},
+    OptionSpec{
+        "--seed", "N",
+        QT_TRANSLATE_NOOP("kickstand_sim", "of all that happens by chance: the same seed, the same chances")},
+    OptionSpec{"--control", "PATH",
+               QT_TRANSLATE_NOOP("kickstand_sim",
+                                 "the control socket; $XDG_RUNTIME_DIR/kickstand-sim.sock without it")},
+    OptionSpec{"--json", "", QT_TRANSLATE_NOOP("kickstand_sim", "what is said as JSON, a value a line")},
+};
+
+}  // namespace
+
+CommandSpec smartDeviceCommand() {
+    return {"smartdevice",
+            "",
+            0,
+            QT_TRANSLATE_NOOP("kickstand_sim", "Serves simulated smart devices on pseudo-terminals."),
+            QT_TRANSLATE_NOOP("kickstand_sim",
+                              "It says how to reach them, and goes on until Ctrl+C, SIGTERM or SIGHUP."),
+            kOptions,
+            "smartdevice --type PolarBear --pty /tmp/polarbear",
+            run};
+}
+
+}  // namespace kickstand::sim

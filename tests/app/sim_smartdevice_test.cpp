@@ -1,0 +1,77 @@
+// A simulated board on a pseudo-terminal, used by kickstandctl as if it were real.
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/app/program.h"
+
+namespace kickstand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SimSmartDevice : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = testing::TempDir() + "ksdevXXXXXX";
+        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+        port_ = folder_ / "bear";
+        simulator_.emplace(
+            std::vector<std::string>{"smartdevice", "--type", "PolarBear", "--boot", "50", "--pty",
+                                     port_.string(), "--control", control(), "--json"},
+            KICKSTAND_SIM);
+        ASSERT_TRUE(simulator_->waitFor("\n"));
+    }
+    void TearDown() override {
+        simulator_.reset();
+        fs::remove_all(folder_);
+    }
+    std::string control() const { return (folder_ / "control.sock").string(); }
+    Ended onPort(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"--link", "serial:" + port_.string() + "?protocol=smartdevice"});
+        return run(std::move(arguments));
+    }
+    Ended ctl(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"ctl", "--control", control()});
+        return run(std::move(words), KICKSTAND_SIM);
+    }
+
+    fs::path folder_;
+    fs::path port_;
+    std::optional<Program> simulator_;
+};
+
+TEST_F(SimSmartDevice, IsListedReadAndWrittenOverASerialPort) {
+    EXPECT_TRUE(fs::is_symlink(port_));
+    const Ended list = onPort({"--json", "smartdevice", "list"});
+    EXPECT_EQ(list.exitCode, 0) << list.err;
+    const QJsonArray devices = list.object()[QStringLiteral("devices")].toArray();
+    ASSERT_EQ(devices.size(), 1);
+    EXPECT_EQ(devices[0][QStringLiteral("name")].toString(), QStringLiteral("PolarBear"));
+    EXPECT_EQ(devices[0][QStringLiteral("port")].toString().toStdString(), port_.string());
+    EXPECT_EQ(onPort({"smartdevice", "read", port_.string(), "enc_pos"}).exitCode, 0);
+    const Ended driven = onPort({"smartdevice", "write", "PolarBear", "duty_cycle=0.5", "--for", "0.3"});
+    EXPECT_EQ(driven.exitCode, 0) << driven.err;
+    const QJsonObject shown = ctl({"--json", "show", "0"}).object();
+    const QJsonObject board = shown[QStringLiteral("devices")][0].toObject();
+    EXPECT_GE(board[QStringLiteral("writes")].toInt(), 2) << "the duty cycle, and zero at the end";
+    EXPECT_GE(board[QStringLiteral("disables")].toInt(), 1);
+    EXPECT_EQ(board[QStringLiteral("values")][0].toDouble(), 0);
+}
+
+TEST_F(SimSmartDevice, ABoardThatIsPulledOutIsSaidToBeGone) {
+    EXPECT_EQ(ctl({"unplug", "0"}).exitCode, 0);
+    EXPECT_FALSE(fs::exists(port_));
+    const Ended gone = onPort({"smartdevice", "read", "PolarBear"});
+    EXPECT_EQ(gone.exitCode, 1);
+    EXPECT_TRUE(gone.oneComplaint()) << gone.err;
+    EXPECT_EQ(ctl({"replug", "0"}).exitCode, 0);
+    EXPECT_EQ(onPort({"smartdevice", "read", "PolarBear"}).exitCode, 0);
+}
+
+}  // namespace
+}  // namespace kickstand::test
