@@ -3,6 +3,7 @@
 
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/firmware_files.h"
+#include "app/kickstandctl/history.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/motion.h"
 #include "app/kickstandctl/output.h"
@@ -41,10 +42,18 @@ class Flashing {
           files_(std::move(files)),
           robots_(robots) {}
 
-    Outcome begin() { return motion_.begin(robots_); }
+    Outcome begin() {
+        motion_.setListener([this](const EngineEvent& event) {
+            if (!history_) history_.emplace(runner_);
+            history_->take(event);
+        });
+        return motion_.begin(robots_);
+    }
     Outcome end(Outcome outcome) {
         tellEnds();
-        return motion_.end(std::move(outcome));
+        outcome = motion_.end(std::move(outcome));
+        if (history_) history_->finish();
+        return outcome;
     }
 
     /// Leaves out robots that have it all already; says what each has.
@@ -76,7 +85,12 @@ class Flashing {
         if (!current) return tl::unexpected(current.error());
         const auto ended = runner_.waitUntil([this] { return look(); }, kUploadLimit);
         if (!ended) return tl::unexpected(ended.error());
-        if (!begun) return begun;
+        if (!begun) {
+            if (begun.error().code == nameOf(name(Errc::ReadingsUnknown)))
+                begun.error().text.remedy =
+                    Words::tr("See that its capacitor is empty, then give --discharged.");
+            return begun;
+        }
         for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
             const FlashProgress* progress = progressOf(robot);
             if (progress && progress->error) return failed(*progress->error);
@@ -207,6 +221,7 @@ class Flashing {
     const Context& context_;
     SessionRunner runner_;
     Motion motion_;
+    std::optional<History> history_;
     const std::vector<FirmwareFile> files_;
     RobotMask robots_;
     bool started_ = false;
@@ -275,7 +290,7 @@ Outcome verify(const Context& context) {
 
 constexpr OptionSpec kTarget{
     "--target", "pic|fpga",
-    QT_TRANSLATE_NOOP("kickstandctl", "what the one file is for; guessed without it")};
+    QT_TRANSLATE_NOOP("kickstandctl", "what the one file is for, where its bytes do not show it")};
 constexpr std::array kFlashOptions{
     OptionSpec{"--robot", "N", QT_TRANSLATE_NOOP("kickstandctl", "robots: 3, or 0,5-7"), true},
     kTarget,

@@ -1,7 +1,7 @@
 #include <array>
 
-#include "app/composition/ledger_file.h"
 #include "app/kickstandctl/families.h"
+#include "app/kickstandctl/history.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/motion.h"
 #include "app/kickstandctl/output.h"
@@ -10,7 +10,6 @@
 #include "app/kickstandctl/values.h"
 #include "app/kickstandctl/words.h"
 #include "core/engine/describe_parameters.h"
-#include "core/engine/ledger_keeper.h"
 
 namespace kickstand::ctl {
 namespace {
@@ -23,7 +22,6 @@ constexpr Duration kRequestLimit = std::chrono::minutes(2);
 /// A robot that copies an image is gone twice.
 constexpr Duration kRebootLimit = std::chrono::seconds(40);
 constexpr Duration kProofLimit = std::chrono::seconds(20);
-constexpr Duration kLedgerLimit = std::chrono::seconds(3);
 
 /// One robot's parameters, and what a person has said about them.
 class Work {
@@ -36,16 +34,14 @@ class Work {
 
     Outcome begin() {
         if (auto begun = motion_.begin(thunderbots::maskOf(robot_)); !begun) return begun;
-        // What is simulated ends with this command, and so does its history.
-        if (!runner_.uri().isSimulated() || qEnvironmentVariableIsSet("KICKSTAND_LEDGER"))
-            ledger_ = std::make_unique<Ledger>(ledgerFile());
-        runner_.setObserver([this](const EngineEvent& event) { keep(event); });
+        history_.emplace(runner_);
+        runner_.setObserver([this](const EngineEvent& event) { history_->take(event); });
         return {};
     }
     /// Ends the command, and gives its history a moment to be written.
     Outcome end(Outcome outcome) {
         outcome = motion_.end(std::move(outcome));
-        if (ledger_) ledger_->flush(kLedgerLimit);
+        if (history_) history_->finish();
         return outcome;
     }
 
@@ -153,16 +149,11 @@ class Work {
         return {};
     }
 
-    void keep(const EngineEvent& event) {
-        if (!ledger_) return;
-        LedgerKeeper(*ledger_).take(event, toString(runner_.uri()), runner_.engine().wallTime(timeOf(event)));
-    }
-
     const Context& context_;
     SessionRunner runner_;
     Motion motion_;
     int robot_;
-    std::unique_ptr<Ledger> ledger_;
+    std::optional<History> history_;
 };
 
 Outcome getParameters(Work& work, const Invocation& invocation) {

@@ -46,6 +46,14 @@ Expected<FirmwareFile> readFile(const std::string& path, std::optional<image::Fl
                          static_cast<std::size_t>(content.size()));
     auto read = image::readImage(path, bytes);
     if (!read) return refusedFile(firmware.name, read.error());
+    if (!target) {
+        if (!read->guess.certain())
+            return badUsage(
+                Words::tr("What “%1” is for cannot be told for certain: probably %2, %3.")
+                    .arg(firmware.name, describe(read->guess.target), describe(read->guess.reason)),
+                Words::tr("Say it with --target pic or --target fpga."));
+        firmware.guessed = read->guess.reason;
+    }
     const image::FlashTarget wanted = target.value_or(read->guess.target);
     auto settled = image::forTarget(*std::move(read), wanted);
     if (!settled) return refusedFile(firmware.name, settled.error());
@@ -95,6 +103,7 @@ QString firmwareText(const FirmwareFile& file) {
                        .arg(image.dataBytes())
                        .arg(file.plan->pages().size())
                        .arg(crcText(file.signature()));
+    if (file.guessed) text += Words::tr("; for this target because %1").arg(describe(*file.guessed));
     if (!image.header.part.empty())
         text += Words::tr(", for %1, made %2 %3")
                     .arg(printable(image.header.part), printable(image.header.date),
@@ -112,6 +121,8 @@ QJsonObject firmwareToJson(const FirmwareFile& file) {
                                    {QStringLiteral("end"), static_cast<qint64>(range.end)}});
     return {{QStringLiteral("file"), file.name},
             {QStringLiteral("target"), QString::fromLatin1(image::name(image.target))},
+            {QStringLiteral("guessed_from"),
+             file.guessed ? QString::fromLatin1(image::name(*file.guessed)) : QString()},
             {QStringLiteral("format"), QString::fromLatin1(image::name(image.format))},
             {QStringLiteral("data_B"), static_cast<qint64>(image.dataBytes())},
             {QStringLiteral("pages"), static_cast<qint64>(file.plan->pages().size())},

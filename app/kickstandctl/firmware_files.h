@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QJsonObject>
+#include <optional>
 #include <vector>
 
 #include "app/kickstandctl/command.h"
@@ -12,6 +13,8 @@ namespace kickstand::ctl {
 struct FirmwareFile {
     QString name;
     thunderbots::SharedFlashPlan plan;
+    /// Why it is taken to be for this target; empty where a person said so.
+    std::optional<thunderbots::image::GuessReason> guessed{};
 
     /// What its robot answers as signature once it has it.
     std::uint16_t signature() const;

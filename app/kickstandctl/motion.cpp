@@ -19,6 +19,7 @@ Outcome Motion::begin(thunderbots::RobotMask robots) {
 }
 
 void Motion::told(const EngineEvent& event) {
+    if (listener_) listener_(event);
     // Of robots that were not asked for, only what somebody should worry about.
     const int robot = robotOf(event);
     const bool concerns = robot < 0 || thunderbots::contains(robots_, robot) ||

@@ -5,7 +5,7 @@
 
 #include "app/kickstandctl/command.h"
 #include "core/base/time.h"
-#include "core/thunderbots/events.h"
+#include "core/engine/messages.h"
 #include "core/thunderbots/types.h"
 
 namespace kickstand::ctl {
@@ -25,6 +25,8 @@ class Motion {
     Outcome begin(thunderbots::RobotMask robots);
     /// Called for the link's events, after they were told.
     void setHook(std::function<void(const thunderbots::Event&)> hook) { hook_ = std::move(hook); }
+    /// Called for every event first, the engine's own among them. Before begin().
+    void setListener(std::function<void(const EngineEvent&)> listener) { listener_ = std::move(listener); }
     /// Keeps things going for so long.
     Outcome keepFor(Duration span);
     /// Says something: the text in its own line; the facts as a value of this "type" in a stream, and
@@ -41,6 +43,7 @@ class Motion {
     const Style style_;
     thunderbots::RobotMask robots_ = 0;
     QJsonObject facts_;
+    std::function<void(const EngineEvent&)> listener_;
     std::function<void(const thunderbots::Event&)> hook_;
 };
 

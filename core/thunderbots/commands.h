@@ -174,7 +174,7 @@ struct RebootRobot {
 /// What a person may have seen to that the program cannot know.
 struct FlashOptions {
     bool lowBattery = false;        ///< A battery below 14 V will do.
-    bool capacitorUnknown = false;  ///< The capacitor is empty, though it was last known to be charged.
+    bool capacitorUnknown = false;  ///< The capacitor is empty, though nobody measures it.
 };
 
 /// Uploads firmware to robots, each for itself (protocol 6.7): one image, or the microcontroller's and then
@@ -182,9 +182,9 @@ struct FlashOptions {
 /// StopLatched, BadArgument for other images than these, RobotNotAlive, FlashRunning, RequestPending;
 /// NotBraked while it moves, charges or is armed, CapacitorLive from 50 V on, BatteryLow below 14 V;
 /// NotCommitted while it has applied parameters that would be lost. A robot without a bitstream measures
-/// nothing: it is taken as it is, unless its capacitor was last known to be charged. Meanwhile the robot
-/// takes nothing that moves, charges or asks it something (FlashRunning). STOP lets it finish its page and
-/// pauses it.
+/// nothing: it is taken as it is where its capacitor was last known to be empty, else ReadingsUnknown.
+/// Meanwhile the robot takes nothing that moves, charges or asks it something (FlashRunning). STOP lets it
+/// finish its page and pauses it.
 struct StartFlash {
     RobotMask robots = 0;
     std::vector<SharedFlashPlan> plans;

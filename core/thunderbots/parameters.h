@@ -91,8 +91,7 @@ struct ParameterWarning {
     /// Whether the robot would be lost, would disturb another one, or would change itself for good: what must
     /// not be done unasked.
     bool serious() const {
-        return risk != ParameterRisk::NumberChanges && risk != ParameterRisk::NoBitstream &&
-               risk != ParameterRisk::OtherBitstream;
+        return risk != ParameterRisk::NumberChanges && risk != ParameterRisk::NoBitstream;
     }
     friend bool operator==(const ParameterWarning&, const ParameterWarning&) = default;
 };

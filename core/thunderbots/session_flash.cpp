@@ -46,7 +46,10 @@ Result<void> Session::checkAtRest(int robot, const FlashOptions& options) const 
     if (const char* unrest = intent.unrest()) return fail(about(robot, Errc::NotBraked, unrest));
     if (intent.highVoltageArmed) return fail(about(robot, Errc::NotBraked, "high voltage"));
     const bool known = state.freshness == Freshness::Current;
-    // What was on a capacitor that nobody measures any more may still be there.
+    // What nobody has measured may be charged, and what was on a capacitor that nobody measures any more may
+    // still be there.
+    if (!known && !state.capacitor && !options.capacitorUnknown)
+        return fail(about(robot, Errc::ReadingsUnknown));
     const bool live = state.capacitor && state.capacitor->last_V >= wire::kCapacitorLive_V;
     if (live && (known || !options.capacitorUnknown)) {
         return fail(outOfVolts(robot, Errc::CapacitorLive, state.capacitor->last_V, wire::kCapacitorLive_V));

@@ -97,6 +97,30 @@ TEST_F(Flash, SeveralRobotsAtOnceAndOneFailureStopsOnlyThatOne) {
     EXPECT_EQ(contents(1), kNoDataByte);
 }
 
+TEST_F(Flash, AsksForAPersonsWordWhereACapacitorWasNeverMeasured) {
+    const auto plan = densePlan(3, kFpga);
+    ASSERT_TRUE(start(maskOf(0), {plan}));
+    ASSERT_TRUE(waitForStage(0, FlashStage::Writing));
+    // Half an image: after a reboot the robot has no bitstream and measures nothing, and the program that
+    // runs now has never heard of its capacitor.
+    rig.killHost();
+    rig.advance(15s);
+    rig.simulate("dead", 1, 0);
+    rig.advance(3s);
+    rig.simulate("dead", 0, 0);
+    rig.core().start();
+    rig.beginConnect();
+    rig.advance(10s);
+    ASSERT_TRUE(rig.state().robots[0].live);
+    ASSERT_FALSE(rig.state().robots[0].capacitor);
+
+    const auto refused = start(maskOf(0), {plan});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, Errc::ReadingsUnknown);
+    EXPECT_TRUE(start(maskOf(0), {plan}, {.capacitorUnknown = true}));
+    EXPECT_EQ(waitForEnd(0).stage, FlashStage::Done);
+}
+
 TEST_F(Flash, RefusesRobotsThatAreNotAtRestOrNotSafe) {
     const auto plan = densePlan(3, kFpga);
     const auto refusal = [&](int robot, FlashOptions options = {}) {

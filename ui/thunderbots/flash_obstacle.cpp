@@ -30,7 +30,7 @@ bool isFlashBatteryLow(const RobotState& robot) {
 }
 
 bool isFlashCapacitorUnknown(const RobotState& robot) {
-    return robot.freshness != Freshness::Current && isCharged(robot);
+    return robot.freshness != Freshness::Current && (!robot.capacitor || isCharged(robot));
 }
 
 FlashObstacle obstacleOf(const Snapshot& snapshot, int robot, const FlashOptions& options) {

@@ -27,7 +27,8 @@ QString obstacleSentence(const FlashHold& hold, const Snapshot* snapshot) {
 }
 
 QString capacitorObstacle(const RobotState& robot, bool known) {
-    const QString volts = robot.capacitor ? capacitorText(robot.capacitor->last_V) : QString();
+    if (!robot.capacitor) return Words::tr("its capacitor was never measured: treat as live");
+    const QString volts = capacitorText(robot.capacitor->last_V);
     return known ? Words::tr("%1 on its capacitor: discharge it").arg(volts)
                  : Words::tr("last %1 on its capacitor, not measured any more: treat as live").arg(volts);
 }
