@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/base/hex.h"
 #include "core/engine/describe_images.h"
 #include "core/engine/describe_parameters.h"
 #include "core/thunderbots/wire/parameters.h"
@@ -194,6 +195,11 @@ Description describeFlash(int robot, const FlashProgress& progress) {
 
 QStringList flashLogLines(const FlashProgress& progress) {
     QStringList lines;
+    if (progress.parametersBefore) {
+        const auto block = thunderbots::wire::encodeParameters(*progress.parametersBefore);
+        lines << FlashWords::tr("parameters before it began: %1")
+                     .arg(QString::fromStdString(toHex(block.view())));
+    }
     for (const FlashLogLine& line : *progress.log) {
         lines << QStringLiteral("%1  %2")
                      .arg(seconds(line.time - progress.beganAt), 8, 'f', 3)

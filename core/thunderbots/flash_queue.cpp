@@ -12,11 +12,13 @@ constexpr Duration kTickEvery = std::chrono::milliseconds(100);
 
 FlashQueue::FlashQueue(Scheduler& scheduler, RobotRequests& requests,
                        std::function<Result<void>(int robot)> mayChange, std::function<bool()> onCable,
+                       std::function<std::optional<wire::Channels>()> channels,
                        std::function<void(int robot)> paused, Ended ended)
     : around_{.scheduler = scheduler,
               .requests = requests,
               .mayChange = std::move(mayChange),
               .onCable = std::move(onCable),
+              .channels = std::move(channels),
               .changed = [this] { ++version_; },
               .paused = std::move(paused),
               .ended = std::move(ended)} {}

@@ -19,7 +19,8 @@ class FlashQueue {
     /// As FlashSurroundings has them.
     FlashQueue(Scheduler& scheduler, RobotRequests& requests,
                std::function<Result<void>(int robot)> mayChange, std::function<bool()> onCable,
-               std::function<void(int robot)> paused, Ended ended);
+               std::function<std::optional<wire::Channels>()> channels, std::function<void(int robot)> paused,
+               Ended ended);
 
     /// Begins an upload, in the place of the robot's last one, which must have ended.
     void start(int robot, std::vector<SharedFlashPlan> plans);

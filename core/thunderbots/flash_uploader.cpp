@@ -59,9 +59,11 @@ void FlashUploader::contentsRead(const Response& response) {
     parameters_ = parametersOf(response);
     if (!progress_.parametersBefore) progress_.parametersBefore = parameters_;
     note(FlashNote::Contents, parameters_.flashContents);
-    // Naming the contents commits the whole block: what somebody has only applied would come true at a
-    // reboot.
-    if (parameters_.robotNumber != robot_) return failed({.code = Errc::NotCommitted});
+    // Naming the contents commits the whole block: a number or channels that somebody has only applied would
+    // come true at a reboot, and lose the robot.
+    const wire::Channels kept{parameters_.channel0, parameters_.channel1};
+    if (parameters_.robotNumber != robot_ || around_.channels().value_or(kept) != kept)
+        return failed({.code = Errc::NotCommitted});
     // Reading shows the volatile copy alone: that it has no data may be what the robot would forget at its
     // next reboot, so it is made to hold in any case (protocol 4.8). What a broken upload has written is
     // still there.

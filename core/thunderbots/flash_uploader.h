@@ -8,6 +8,7 @@
 #include "core/thunderbots/flash_progress.h"
 #include "core/thunderbots/flash_survey.h"
 #include "core/thunderbots/robot_requests.h"
+#include "core/thunderbots/wire/dongle.h"
 
 namespace kickstand::thunderbots {
 
@@ -19,6 +20,8 @@ struct FlashSurroundings {
     std::function<Result<void>(int robot)> mayChange;
     /// Whether the robot is on a cable, whose device goes away with the robot.
     std::function<bool()> onCable;
+    /// The dongle's channels, as far as they are known; none on a cable.
+    std::function<std::optional<wire::Channels>()> channels;
     std::function<void()> changed;
     /// STOP has paused an upload.
     std::function<void(int robot)> paused;

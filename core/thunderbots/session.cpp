@@ -28,7 +28,7 @@ Session::Session(Host host, std::unique_ptr<UsbLink> link)
       flash_(
           host_.scheduler, requests_,
           [this](int robot) { return checkAtRest(robot, flashOptions_[static_cast<std::size_t>(robot)]); },
-          [this] { return controller_.isCable(); },
+          [this] { return controller_.isCable(); }, [this] { return model_.channels(); },
           [this](int robot) { raise(EventKind::FlashPaused, robot); },
           [this](int robot, const FlashProgress& progress) { flashEnded(robot, progress); }) {
     link_.addObserver(&model_);

@@ -327,24 +327,32 @@ TEST_F(Flash, ThatThereIsNoDataIsMadeToHoldAlsoWhereTheVolatileCopySaysSoAlready
     EXPECT_FALSE(rig.robot(0).fpgaConfigured) << "half an image was taken for a whole one";
 }
 
-TEST_F(Flash, MakesNoNumberPermanentThatSomebodyHasOnlyApplied) {
+TEST_F(Flash, MakesNoNumberOrChannelPermanentThatSomebodyHasOnlyApplied) {
     // By another program: this session does not know of it.
-    const auto block = [](const PassingMessage& message) {
+    std::size_t place = 0;
+    std::uint8_t applied = 0;
+    judge = [&](const PassingMessage& message) {
         MessageFate fate;
         const bool parameters = message.direction == Direction::In &&
                                 message.packet[1] == static_cast<std::uint8_t>(FirmwareOp::ReadParameters);
         if (parameters) {
             fate.replacement.assign(message.packet.begin(), message.packet.end());
-            fate.replacement[5] = 9;
+            fate.replacement[place] = applied;
         }
         return fate;
     };
-    judge = block;
-    ASSERT_TRUE(start(maskOf(1), {densePlan(4, kFpga)}));
-    const FlashProgress end = waitForEnd(1);
-    EXPECT_EQ(end.stage, FlashStage::Failed);
-    EXPECT_EQ(end.error->code, Errc::NotCommitted);
-    EXPECT_EQ(end.left, FlashLeft::Untouched);
+    // After header, opcode and flash contents: two channels and the number (protocol 4.8).
+    const std::pair<std::size_t, std::uint8_t> kApplied[] = {{3, 0x15}, {4, 0x00}, {5, 9}};
+    for (const auto& [at, value] : kApplied) {
+        place = at;
+        applied = value;
+        ASSERT_TRUE(start(maskOf(1), {densePlan(4, kFpga)})) << at;
+        rig.advance(100ms);
+        const FlashProgress end = waitForEnd(1);
+        EXPECT_EQ(end.stage, FlashStage::Failed) << at;
+        EXPECT_EQ(end.error->code, Errc::NotCommitted) << at;
+        EXPECT_EQ(end.left, FlashLeft::Untouched) << at;
+    }
     EXPECT_EQ(countOf(1, FirmwareOp::CommitParameters), 0U);
 }
 

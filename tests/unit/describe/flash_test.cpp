@@ -75,6 +75,15 @@ TEST(DescribeFlash, EveryNoteHasALineOfItsOwn) {
     }
 }
 
+TEST(DescribeFlash, TheLogBeginsWithTheParametersThatThereWere) {
+    FlashProgress progress;
+    progress.parametersBefore.emplace();
+    progress.parametersBefore->robotNumber = 7;
+    const QStringList lines = flashLogLines(progress);
+    ASSERT_EQ(lines.size(), 1);
+    EXPECT_EQ(lines[0], QStringLiteral("parameters before it began: ff 00 00 07 00"));
+}
+
 TEST(DescribeFlash, TellsItsEvents) {
     const auto textOf = [](EventKind kind, std::int64_t code, std::int64_t previous) {
         const auto text = describeFlashEvent({kind, {}, 3, code, previous, 20.2, {}});
