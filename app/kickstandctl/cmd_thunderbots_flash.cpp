@@ -56,29 +56,52 @@ class Flashing {
         return outcome;
     }
 
-    /// Leaves out robots that have it all already; says what each has.
+    /// Finds out what each robot has already, and says it.
     Outcome compare() {
-        const RobotMask all = robots_;
         for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
-            if (!thunderbots::contains(all, robot)) continue;
-            const auto same = has(robot);
-            if (!same) return tl::unexpected(same.error());
-            if (*same) robots_ = static_cast<RobotMask>(robots_ & ~maskOf(robot));
+            if (!thunderbots::contains(robots_, robot)) continue;
+            const auto there = imagesThere(robot);
+            if (!there) return tl::unexpected(there.error());
+            there_[static_cast<std::size_t>(robot)] = *there;
         }
         return {};
     }
-    RobotMask robots() const { return robots_; }
+    /// The robots that lack at least one of the images.
+    RobotMask incomplete() const {
+        RobotMask robots = 0;
+        for (std::size_t there = 0; there < files_.size(); ++there)
+            robots = static_cast<RobotMask>(robots | robotsWith(there));
+        return robots;
+    }
+
+    /// Reading shows only what a robot has until its next reboot: what is already there is committed too, so
+    /// that it is there afterwards.
+    Outcome commitWhatIsThere() {
+        for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
+            if (!thunderbots::contains(robotsWith(files_.size()), robot)) continue;
+            const auto& block = *knownOf(robot).robot;
+            const auto& channels = runner_.state().channels;
+            const bool asItIsHeard =
+                block.robotNumber == robot &&
+                (!channels || *channels == thunderbots::wire::Channels{block.channel0, block.channel1});
+            if (!asItIsHeard) return failed({.code = Errc::RebootNeeded, .robot = robot});
+            if (auto done = runner_.perform(thunderbots::CommitParameters{robot}, kRequestLimit); !done)
+                return done;
+        }
+        return {};
+    }
 
     Outcome upload() {
-        thunderbots::StartFlash start;
-        start.robots = robots_;
-        for (const FirmwareFile& file : files_)
-            start.plans.push_back(file.plan);
-        start.options.lowBattery = context_.invocation.has("--low-battery");
-        start.options.capacitorUnknown = context_.invocation.has("--discharged");
-        started_ = true;
+        started_ = incomplete();
+        // A cable's device goes away with its robot, when that reboots.
+        if (runner_.state().cable) runner_.watchOnly();
         // A robot that is refused keeps no other one from its upload.
-        Outcome begun = runner_.perform(start);
+        Outcome begun;
+        for (std::size_t there = 0; there < files_.size(); ++there) {
+            if (robotsWith(there) == 0) continue;
+            auto one = start(robotsWith(there), there);
+            if (begun) begun = std::move(one);
+        }
         // The answer may be here before the state that belongs to it.
         const TimePoint answered = runner_.engine().now();
         const auto current = runner_.waitUntil([&] { return runner_.state().time > answered; }, kTellEvery);
@@ -95,20 +118,40 @@ class Flashing {
             const FlashProgress* progress = progressOf(robot);
             if (progress && progress->error) return failed(*progress->error);
             // Whatever else there may be: only what was done is called done.
-            if (thunderbots::contains(robots_, robot) && (!progress || progress->stage != FlashStage::Done))
+            if (thunderbots::contains(started_, robot) && (!progress || progress->stage != FlashStage::Done))
                 return failed({.code = Errc::Cancelled, .robot = robot});
         }
         return {};
     }
 
   private:
-    const FlashProgress* progressOf(int robot) const {
-        const auto& progress = runner_.state().flash[static_cast<std::size_t>(robot)];
-        return progress && thunderbots::contains(robots_, robot) ? &*progress : nullptr;
+    /// The robots that have just so many of the images.
+    RobotMask robotsWith(std::size_t there) const {
+        RobotMask robots = 0;
+        for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
+            if (thunderbots::contains(robots_, robot) && there_[static_cast<std::size_t>(robot)] == there)
+                robots = static_cast<RobotMask>(robots | maskOf(robot));
+        }
+        return robots;
+    }
+    /// Begins with the image after those that are there: what comes before it would erase it again.
+    Outcome start(RobotMask robots, std::size_t there) {
+        thunderbots::StartFlash start;
+        start.robots = robots;
+        for (std::size_t file = there; file < files_.size(); ++file)
+            start.plans.push_back(files_[file].plan);
+        start.options.lowBattery = context_.invocation.has("--low-battery");
+        start.options.capacitorUnknown = context_.invocation.has("--discharged");
+        return runner_.perform(start);
     }
 
-    /// Whether a robot has all the images already.
-    Expected<bool> has(int robot) {
+    const FlashProgress* progressOf(int robot) const {
+        const auto& progress = runner_.state().flash[static_cast<std::size_t>(robot)];
+        return progress && thunderbots::contains(started_, robot) ? &*progress : nullptr;
+    }
+
+    /// How many of the images a robot has already, counted from the first.
+    Expected<std::size_t> imagesThere(int robot) {
         for (const thunderbots::Command& command :
              {thunderbots::Command(thunderbots::ReadParameters{robot}),
               thunderbots::Command(thunderbots::ReadSignatures{robot})}) {
@@ -121,9 +164,10 @@ class Flashing {
         if (!known) return tl::unexpected(known.error());
         if (!*known) return failed({.code = Errc::TimedOut, .robot = robot});
         const auto& signatures = *knownOf(robot).signatures;
-        bool same = true;
-        for (const FirmwareFile& file : files_)
-            same = same && isThere(robot, file);
+        std::size_t there = 0;
+        while (there < files_.size() && isThere(robot, files_[there]))
+            ++there;
+        const bool same = there == files_.size();
         motion_.tell(QStringLiteral("signatures"),
                      {{QStringLiteral("robot"), robot},
                       {QStringLiteral("microcontroller"), signatures.microcontrollerCrc},
@@ -133,7 +177,7 @@ class Flashing {
                            : Words::tr("Robot %1 has microcontroller %2, flash %3."))
                          .arg(robot)
                          .arg(crcText(signatures.microcontrollerCrc), crcText(signatures.flashCrc)));
-        return same;
+        return there;
     }
     const thunderbots::ParameterState& knownOf(int robot) const {
         return runner_.state().parameters[static_cast<std::size_t>(robot)];
@@ -152,9 +196,8 @@ class Flashing {
         for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
             const FlashProgress* progress = progressOf(robot);
             if (!progress) continue;
-            running = running || progress->running();
-            // A robot on a cable takes the link with it when it reboots.
-            if (runner_.state().cable && progress->stage >= FlashStage::Rebooting) runner_.watchOnly();
+            // Nobody is there to resume what a STOP has paused.
+            running = running || (progress->running() && !progress->paused);
             tellProgress(robot, *progress);
         }
         return !running;
@@ -185,7 +228,7 @@ class Flashing {
 
     /// How each upload ended; one that still runs ends with this command.
     void tellEnds() {
-        if (!started_) return;
+        if (started_ == 0) return;
         QStringList log;
         for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
             const FlashProgress* progress = progressOf(robot);
@@ -223,8 +266,9 @@ class Flashing {
     Motion motion_;
     std::optional<History> history_;
     const std::vector<FirmwareFile> files_;
-    RobotMask robots_;
-    bool started_ = false;
+    const RobotMask robots_;
+    std::array<std::size_t, thunderbots::kRobots> there_{};  ///< Images that each robot has.
+    RobotMask started_ = 0;                                  ///< Those that an upload was begun for.
     std::array<Told, thunderbots::kRobots> told_;
 };
 
@@ -232,19 +276,20 @@ Outcome flashThrough(const Context& context, Flashing& flashing) {
     if (auto begun = flashing.begin(); !begun) return begun;
     if (!context.invocation.has("--force")) {
         if (auto compared = flashing.compare(); !compared) return compared;
-        if (flashing.robots() == 0) {
+        if (flashing.incomplete() == 0) {
             context.output.line(Words::tr("Nothing is to be done; --force sends it all the same."));
-            return {};
+            return context.invocation.has("--yes") ? flashing.commitWhatIsThere() : Outcome{};
         }
     }
     if (!context.invocation.has("--yes")) {
         return tl::unexpected<Failure>(
             {kFailed,
-             {Words::tr("This would replace the firmware of %1.").arg(robotsPhrase(flashing.robots())),
+             {Words::tr("This would replace the firmware of %1.").arg(robotsPhrase(flashing.incomplete())),
               Words::tr("If that is meant, give --yes."),
               {}},
              QStringLiteral("needs-yes")});
     }
+    if (auto kept = flashing.commitWhatIsThere(); !kept) return kept;
     return flashing.upload();
 }
 
@@ -271,7 +316,7 @@ Outcome flash(const Context& context) {
 Outcome verifyOne(Flashing& flashing, int robot) {
     if (auto begun = flashing.begin(); !begun) return begun;
     if (auto compared = flashing.compare(); !compared) return compared;
-    if (flashing.robots() == 0) return {};
+    if (flashing.incomplete() == 0) return {};
     Failure failure;
     failure.text = {
         Words::tr("Robot %1 has something else than the file.").arg(robot), Words::tr("Flash it."), {}};

@@ -21,6 +21,10 @@ using thunderbots::ParameterValues;
 constexpr Duration kRequestLimit = std::chrono::minutes(2);
 /// A robot that copies an image is gone twice.
 constexpr Duration kRebootLimit = std::chrono::seconds(40);
+/// A robot that has answered the request to reboot has gone by then, and is not back yet.
+constexpr Duration kGoes = std::chrono::seconds(1);
+constexpr Duration kSoon = std::chrono::milliseconds(300);
+constexpr Duration kAnswers = std::chrono::seconds(5);
 constexpr Duration kProofLimit = std::chrono::seconds(20);
 
 /// One robot's parameters, and what a person has said about them.
@@ -81,12 +85,29 @@ class Work {
         const auto& kept = state().committed ? state().committed : state().robot;
         int next = kept && kept->robotNumber < thunderbots::kRobots ? kept->robotNumber : robot_;
         if (runner_.robot(next).live) next = robot_;
-        if (auto done = ask(thunderbots::RebootRobot{robot_, discard}); !done) return done;
-        if (auto gone = await([this] { return hasGone(); }, kRebootLimit, robot_); !gone) return gone;
-        const auto isBack = [this, next] { return runner_.robot(next).live || runner_.robot(robot_).live; };
-        if (auto back = await(isBack, kRebootLimit, next); !back) return back;
-        if (!runner_.robot(robot_).live) robot_ = next;
-        return {};
+        // A cable's device goes away with its robot.
+        if (runner_.state().cable) runner_.watchOnly();
+        const bool unknown = context_.invocation.has("--discharged");
+        if (auto done = ask(thunderbots::RebootRobot{robot_, discard, unknown}); !done) return done;
+        // By now it has gone, and a dongle need never notice: only an answer shows that it is back.
+        const TimePoint gone = runner_.engine().now() + kGoes;
+        if (auto waited = runner_.waitUntil([] { return false; }, kGoes); !waited)
+            return tl::unexpected(waited.error());
+        while (runner_.engine().now() < gone + kRebootLimit) {
+            for (const int robot : {next, robot_}) {
+                if (!runner_.robot(robot).live) continue;
+                const auto answered = [&] { return stateOf(robot).robot && stateOf(robot).readAt > gone; };
+                if (!answered()) runner_.perform(thunderbots::ReadParameters{robot}, kAnswers);
+                const auto known = runner_.waitUntil(answered, kSoon);
+                if (!known) return tl::unexpected(known.error());
+                if (!*known) continue;
+                robot_ = robot;
+                return {};
+            }
+            if (auto waited = runner_.waitUntil([] { return false; }, kSoon); !waited)
+                return tl::unexpected(waited.error());
+        }
+        return failed({.code = Errc::TimedOut, .robot = next});
     }
     /// Waits until what was committed has been found again, or something else.
     Outcome prove() {
@@ -120,13 +141,6 @@ class Work {
         if (!came) return tl::unexpected(came.error());
         if (!*came) return failed({.code = Errc::TimedOut, .robot = robot});
         return {};
-    }
-
-    /// Whether the robot has been lost since it was told to reboot. It may be heard again already.
-    bool hasGone() const {
-        using thunderbots::ParameterStanding;
-        const ParameterStanding standing = state().standing;
-        return standing == ParameterStanding::Unread || standing >= ParameterStanding::Rebooted;
     }
 
     Outcome checkWarnings(const thunderbots::wire::OperationalParameters& block, ParameterStep step) {
@@ -256,16 +270,20 @@ constexpr OptionSpec kRobot{"--robot", "N", QT_TRANSLATE_NOOP("kickstandctl", "0
 constexpr OptionSpec kYes{
     "--yes", "",
     QT_TRANSLATE_NOOP("kickstandctl", "do it although it may lose the robot, or what was not committed")};
+constexpr OptionSpec kDischarged{
+    "--discharged", "",
+    QT_TRANSLATE_NOOP("kickstandctl",
+                      "a robot that reports nothing has an empty capacitor: you have seen to it")};
 constexpr std::array kGetOptions{
     kRobot, OptionSpec{"--file", "FILE", QT_TRANSLATE_NOOP("kickstandctl", "a JSON file of parameters")}};
 constexpr std::array kSetOptions{kRobot, kGetOptions[1], kYes};
 constexpr std::array kCommitOptions{
-    kRobot, kGetOptions[1], kYes,
+    kRobot, kGetOptions[1], kYes, kDischarged,
     OptionSpec{
         "--reboot", "",
         QT_TRANSLATE_NOOP("kickstandctl", "reboot the robot and read them again, which proves the commit")}};
 constexpr std::array kSignatureOptions{kRobot};
-constexpr std::array kRebootOptions{kRobot, kYes};
+constexpr std::array kRebootOptions{kRobot, kYes, kDischarged};
 
 constexpr CommandSpec kCommands[] = {
     {"thunderbots params get", "", 0, 0,

@@ -82,6 +82,8 @@ const char* name(Errc code) {
             return "battery-low";
         case Errc::ParametersUnread:
             return "parameters-unread";
+        case Errc::RebootNeeded:
+            return "reboot-needed";
         case Errc::NotCommitted:
             return "not-committed";
         case Errc::FlashRunning:

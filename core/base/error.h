@@ -53,6 +53,7 @@ enum class Errc : std::uint8_t {
     CapacitorLive,
     BatteryLow,
     NotCommitted,
+    RebootNeeded,
     ParametersUnread,
     FlashRunning,
     FlashNotRunning,

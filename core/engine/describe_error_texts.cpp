@@ -222,6 +222,11 @@ constexpr ErrorText kFirmware[] = {
     {Errc::NotCommitted,
      QT_TRANSLATE_NOOP("Error", "The robot[ {robot}] has parameters that were applied and not committed."),
      QT_TRANSLATE_NOOP("Error", "Commit them, or reboot the robot to give them up.")},
+    {Errc::RebootNeeded,
+     QT_TRANSLATE_NOOP(
+         "Error",
+         "The robot[ {robot}] has a number or channels that it does not use before its next reboot."),
+     QT_TRANSLATE_NOOP("Error", "Reboot it first.")},
     {Errc::ParametersUnread,
      QT_TRANSLATE_NOOP("Error", "The parameters[ of robot {robot}] have not been read yet."),
      QT_TRANSLATE_NOOP("Error", "Read them first.")},

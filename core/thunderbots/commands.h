@@ -169,6 +169,7 @@ struct CommitParameters {
 struct RebootRobot {
     int robot = 0;
     bool discard = false;
+    bool capacitorUnknown = false;  ///< The capacitor is empty, though nobody measures it.
 };
 
 /// What a person may have seen to that the program cannot know.

@@ -27,6 +27,14 @@ void FlashUploader::activate() {
 
 void FlashUploader::freshParametersRead(const Response& response) {
     parameters_ = std::get<wire::ReadParametersResponse>(response).parameters;
+    change(&FlashUploader::nameContents);
+}
+
+void FlashUploader::nameContents() {
+    if (!mayDo(&FlashUploader::nameContents)) return;
+    // From here to the commit nothing stops it for long: a robot whose volatile copy alone names the image
+    // looks like one that has it, and boots without it.
+    naming_ = true;
     parameters_.flashContents = static_cast<std::uint8_t>(plan().contents());
     ask(wire::SetParametersRequest{parameters_}, &FlashUploader::contentsSet);
 }
@@ -38,17 +46,14 @@ void FlashUploader::contentsSet(const Response&) {
 void FlashUploader::contentsReadBack(const Response& response) {
     if (std::get<wire::ReadParametersResponse>(response).parameters != parameters_)
         return failed({.code = Errc::NotVerified, .subject = "parameters"});
-    change(&FlashUploader::commitContents);
-}
-
-void FlashUploader::commitContents() {
-    if (!mayDo(&FlashUploader::commitContents)) return;
     progress_.left = FlashLeft::Activated;
     ask(wire::CommitParametersRequest{}, &FlashUploader::contentsCommitted);
 }
 
 void FlashUploader::contentsCommitted(const Response&) {
+    naming_ = false;
     note(FlashNote::Activated, parameters_.flashContents);
+    if (cancelled_) return failed({.code = Errc::Cancelled});
     change(&FlashUploader::reboot);
 }
 
@@ -58,7 +63,8 @@ void FlashUploader::reboot() {
     progress_.left = FlashLeft::Rebooted;
     away_ = false;
     note(FlashNote::RebootSent);
-    ask(wire::RebootRequest{}, &FlashUploader::rebooting, &FlashUploader::rebootUnanswered);
+    askAtRest(wire::RebootRequest{}, &FlashUploader::reboot, &FlashUploader::rebooting,
+              &FlashUploader::rebootUnanswered);
 }
 
 void FlashUploader::rebootUnanswered(const Error& error) {

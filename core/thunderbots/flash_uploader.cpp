@@ -17,6 +17,8 @@ constexpr int kMostErases = 3;
 /// How long somebody else's request to the robot is waited for: as long as reading signatures may take.
 constexpr Duration kCollisionPause = std::chrono::milliseconds(20);
 constexpr int kMostCollisions = 500;
+/// How long a cancel waits for the robot to commit what its volatile copy names already.
+constexpr Duration kNamingLimit = std::chrono::milliseconds(800);
 /// How often pages that turn out to be missing are sent after all.
 constexpr int kMostRounds = 3;
 
@@ -63,7 +65,7 @@ void FlashUploader::contentsRead(const Response& response) {
     // come true at a reboot, and lose the robot.
     const wire::Channels kept{parameters_.channel0, parameters_.channel1};
     if (parameters_.robotNumber != robot_ || around_.channels().value_or(kept) != kept)
-        return failed({.code = Errc::NotCommitted});
+        return failed({.code = Errc::RebootNeeded});
     // Reading shows the volatile copy alone: that it has no data may be what the robot would forget at its
     // next reboot, so it is made to hold in any case (protocol 4.8). What a broken upload has written is
     // still there.
@@ -137,8 +139,10 @@ void FlashUploader::erase() {
     progress_.left = FlashLeft::NoData;
     note(FlashNote::Erasing, progress_.erases);
     begin([this] {
-        return around_.requests.askOnce(robot_, wire::EraseChipRequest{},
-                                        done(&FlashUploader::erased, &FlashUploader::eraseUnanswered));
+        return around_.requests.askOnce(
+            robot_, wire::EraseChipRequest{},
+            done(&FlashUploader::erased, &FlashUploader::eraseUnanswered, &FlashUploader::erase),
+            [this] { return around_.mayChange(robot_); });
     });
 }
 
@@ -215,10 +219,21 @@ void FlashUploader::beginAgain() {
     waitFor(kCollisionPause, &FlashUploader::beginAgain);
 }
 
-RobotRequests::Done FlashUploader::done(Then then, Otherwise otherwise) {
-    return [this, then, otherwise](const Result<Response>& result) {
+void FlashUploader::askAtRest(const wire::FirmwareRequest& request, Step step, Then then,
+                              Otherwise otherwise) {
+    begin([this, request, step, then, otherwise] {
+        return around_.requests.ask(robot_, request, done(then, otherwise, step),
+                                    [this] { return around_.mayChange(robot_); });
+    });
+}
+
+RobotRequests::Done FlashUploader::done(Then then, Otherwise otherwise, Step step) {
+    return [this, then, otherwise, step](const Result<Response>& result) {
         if (result) {
             (this->*then)(*result);
+        } else if (step && result.error().code == Errc::StopLatched) {
+            pause();
+            held_ = step;
         } else if (otherwise && result.error().code == Errc::Unanswered) {
             (this->*otherwise)(result.error());
         } else {
@@ -238,6 +253,12 @@ void FlashUploader::failed(const Error& error) {
 
 void FlashUploader::cancel() {
     if (!running()) return;
+    if (naming_ && !cancelled_) {
+        cancelled_ = true;
+        around_.scheduler.cancel(timer_);
+        waitFor(kNamingLimit, &FlashUploader::cancel);
+        return;
+    }
     // Whatever it asks ends with Cancelled, and the upload with it.
     around_.requests.cancel(robot_);
     if (running()) failed({.code = Errc::Cancelled});

@@ -84,9 +84,9 @@ class FlashUploader {
 
     void activate();
     void freshParametersRead(const wire::FirmwareResponse& response);
+    void nameContents();
     void contentsSet(const wire::FirmwareResponse& response);
     void contentsReadBack(const wire::FirmwareResponse& response);
-    void commitContents();
     void contentsCommitted(const wire::FirmwareResponse& response);
     void reboot();
     void rebooting(const wire::FirmwareResponse& response);
@@ -106,7 +106,10 @@ class FlashUploader {
     /// Calls `ask`, and again while somebody else is asking the robot something.
     void begin(std::function<Result<void>()> ask);
     void beginAgain();
-    RobotRequests::Done done(Then then, Otherwise otherwise);
+    /// Asks for what only a robot at rest may be asked for; where STOP comes before it is sent, a resume does
+    /// `step`.
+    void askAtRest(const wire::FirmwareRequest& request, Step step, Then then, Otherwise otherwise);
+    RobotRequests::Done done(Then then, Otherwise otherwise, Step step = nullptr);
     void failed(const Error& error);
     /// Does a step that changes something in the robot: now, or when it is resumed.
     void change(Step step);
@@ -133,6 +136,8 @@ class FlashUploader {
     int rounds_ = 0;        ///< How often this image was verified.
     bool away_ = false;     ///< The robot went to reboot.
     std::uint32_t unansweredBefore_ = 0;
+    bool naming_ = false;     ///< The volatile copy may name what is not committed yet.
+    bool cancelled_ = false;  ///< Ends as soon as both copies say the same.
     bool pausing_ = false;
     Step held_ = nullptr;                   ///< What a resume goes on with.
     std::function<Result<void>()> asking_;  ///< Waits until the robot can be asked.

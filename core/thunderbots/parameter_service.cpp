@@ -33,10 +33,12 @@ void ParameterService::raise(EventKind kind, int robot, std::int64_t code, std::
     event_(Event{kind, scheduler_.now(), robot, code, previous, 0, std::move(text)});
 }
 
-void ParameterService::ask(int robot, const wire::FirmwareRequest& request, Done done) {
-    auto asked = requests_.ask(robot, request, [done](Result<wire::FirmwareResponse> response) {
+void ParameterService::ask(int robot, const wire::FirmwareRequest& request, Done done,
+                           RobotRequests::Gate still) {
+    const auto answered = [done](Result<wire::FirmwareResponse> response) {
         done(response ? Result<void>() : fail(std::move(response.error())));
-    });
+    };
+    auto asked = requests_.ask(robot, request, answered, std::move(still));
     if (asked) return;
     scheduler_.post([done = std::move(done), error = std::move(asked.error())] { done(fail(error)); });
 }
@@ -108,8 +110,8 @@ void ParameterService::commit(int robot, Done done) {
     });
 }
 
-void ParameterService::reboot(int robot, Done done) {
-    ask(robot, wire::RebootRequest{}, std::move(done));
+void ParameterService::reboot(int robot, RobotRequests::Gate still, Done done) {
+    ask(robot, wire::RebootRequest{}, std::move(done), std::move(still));
 }
 
 void ParameterService::found(int robot) {

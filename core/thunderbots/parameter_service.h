@@ -33,7 +33,8 @@ class ParameterService {
     /// something else.
     void apply(int robot, const wire::OperationalParameters& parameters, const Done& done);
     void commit(int robot, Done done);
-    void reboot(int robot, Done done);
+    /// `still`: whether it may still be sent, where the robot had to be waited for.
+    void reboot(int robot, RobotRequests::Gate still, Done done);
 
     /// The dongle has found a robot: a commit that waits for its proof is read again.
     void found(int robot);
@@ -42,7 +43,7 @@ class ParameterService {
 
   private:
     /// Asks; `done` comes whether or not it could be asked.
-    void ask(int robot, const wire::FirmwareRequest& request, Done done);
+    void ask(int robot, const wire::FirmwareRequest& request, Done done, RobotRequests::Gate still = {});
     void heard(int robot, const wire::FirmwareResponse& response);
     void proveSoon(int robot);
     void prove(int robot);

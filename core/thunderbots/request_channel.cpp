@@ -79,7 +79,7 @@ RequestChannel::~RequestChannel() {
 }
 
 Result<void> RequestChannel::ask(const std::vector<wire::FillPageRequest>& fills,
-                                 const wire::FirmwareRequest& request, int attempts, Done done) {
+                                 const wire::FirmwareRequest& request, int attempts, Done done, Gate gate) {
     const FirmwareOp op = wire::opOf(request);
     if (exchange_) return fail(about(robot_, Errc::RequestPending, op));
     if (!alive_) return fail(about(robot_, Errc::RobotNotAlive, op));
@@ -92,6 +92,7 @@ Result<void> RequestChannel::ask(const std::vector<wire::FillPageRequest>& fills
     exchange.request = request;
     exchange.attempts = attempts;
     exchange.done = std::move(done);
+    exchange.gate = std::move(gate);
     exchange_ = std::move(exchange);
     begin();
     return {};
@@ -162,7 +163,12 @@ void RequestChannel::giveUp() {
 void RequestChannel::signReceived() {
     inDoubt_ = false;
     if (exchange_->sent < exchange_->attempts) {
-        send();
+        const auto may = exchange_->gate ? exchange_->gate() : Result<void>();
+        if (may) {
+            send();
+        } else {
+            finish(fail(may.error()));
+        }
     } else {
         Error error = about(robot_, Errc::Unanswered, wire::opOf(exchange_->request));
         error.got = exchange_->sent;

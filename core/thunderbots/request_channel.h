@@ -22,6 +22,9 @@ namespace kickstand::thunderbots {
 class RequestChannel {
   public:
     using Done = std::function<void(Result<wire::FirmwareResponse>)>;
+    /// Whether a request may still be sent, asked whenever the robot has been waited for meanwhile: that may
+    /// take seconds.
+    using Gate = std::function<Result<void>()>;
 
     /// How often a request is sent before it is given up.
     static constexpr int kAttempts = 4;
@@ -39,9 +42,10 @@ class RequestChannel {
     /// Sends `fills`, which nobody answers, and then `request`, up to `attempts` times. `done` comes once,
     /// never from inside this call, with a response of the request's kind, or: Unanswered when the robot
     /// answers, but not this; TimedOut when it answers nothing; RobotNotAlive, Disconnected, Cancelled; what
-    /// the pipe says. Errors at once: RequestPending, RobotNotAlive, what the encoder refuses.
+    /// the pipe says; what `gate` says. Errors at once: RequestPending, RobotNotAlive, what the encoder
+    /// refuses.
     Result<void> ask(const std::vector<wire::FillPageRequest>& fills, const wire::FirmwareRequest& request,
-                     int attempts, Done done);
+                     int attempts, Done done, Gate gate = {});
     bool busy() const { return exchange_.has_value(); }
     const RequestState& state() const { return state_; }
 
@@ -63,6 +67,7 @@ class RequestChannel {
         wire::FirmwareRequest request;
         int attempts = 1;
         Done done;
+        Gate gate;
         Phase phase = Phase::Sending;
         int sent = 0;          ///< Attempts begun.
         int signTries = 0;     ///< In this round.

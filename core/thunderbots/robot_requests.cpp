@@ -11,25 +11,27 @@ RobotRequests::RobotRequests(Scheduler& scheduler, MessagePipe& pipe)
 }
 
 Result<void> RobotRequests::begin(int robot, const std::vector<wire::FillPageRequest>& fills,
-                                  const wire::FirmwareRequest& request, int attempts, Done done) {
-    return at(robot).ask(fills, request, attempts,
-                         [this, robot, done = std::move(done)](Result<wire::FirmwareResponse> result) {
-                             if (result && listener_) listener_(robot, *result);
-                             done(std::move(result));
-                         });
+                                  const wire::FirmwareRequest& request, int attempts, Done done, Gate gate) {
+    return at(robot).ask(
+        fills, request, attempts,
+        [this, robot, done = std::move(done)](Result<wire::FirmwareResponse> result) {
+            if (result && listener_) listener_(robot, *result);
+            done(std::move(result));
+        },
+        std::move(gate));
 }
 
-Result<void> RobotRequests::ask(int robot, const wire::FirmwareRequest& request, Done done) {
-    return begin(robot, {}, request, RequestChannel::kAttempts, std::move(done));
+Result<void> RobotRequests::ask(int robot, const wire::FirmwareRequest& request, Done done, Gate gate) {
+    return begin(robot, {}, request, RequestChannel::kAttempts, std::move(done), std::move(gate));
 }
 
-Result<void> RobotRequests::askOnce(int robot, const wire::FirmwareRequest& request, Done done) {
-    return begin(robot, {}, request, 1, std::move(done));
+Result<void> RobotRequests::askOnce(int robot, const wire::FirmwareRequest& request, Done done, Gate gate) {
+    return begin(robot, {}, request, 1, std::move(done), std::move(gate));
 }
 
 Result<void> RobotRequests::program(int robot, const std::vector<wire::FillPageRequest>& fills,
                                     const wire::ProgramPageRequest& request, Done done) {
-    return begin(robot, fills, request, 1, std::move(done));
+    return begin(robot, fills, request, 1, std::move(done), {});
 }
 
 void RobotRequests::cancel(int robot) {

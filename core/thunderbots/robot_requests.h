@@ -13,6 +13,7 @@ namespace kickstand::thunderbots {
 class RobotRequests {
   public:
     using Done = RequestChannel::Done;
+    using Gate = RequestChannel::Gate;
     /// Hears every response that was asked for, before whoever asked.
     using Listener = std::function<void(int robot, const wire::FirmwareResponse& response)>;
 
@@ -21,9 +22,9 @@ class RobotRequests {
 
     /// Asks a robot (0-15) something, again and again up to RequestChannel::kAttempts times; as
     /// RequestChannel::ask(). The response holds the alternative that belongs to the request.
-    Result<void> ask(int robot, const wire::FirmwareRequest& request, Done done);
+    Result<void> ask(int robot, const wire::FirmwareRequest& request, Done done, Gate gate = {});
     /// The same, once.
-    Result<void> askOnce(int robot, const wire::FirmwareRequest& request, Done done);
+    Result<void> askOnce(int robot, const wire::FirmwareRequest& request, Done done, Gate gate = {});
     /// Fills the page buffer and programs a page, once. Unanswered: the buffer did not hold what the CRC is
     /// of, or the answer was lost; what the buffer holds is not known then.
     Result<void> program(int robot, const std::vector<wire::FillPageRequest>& fills,
@@ -49,7 +50,7 @@ class RobotRequests {
 
   private:
     Result<void> begin(int robot, const std::vector<wire::FillPageRequest>& fills,
-                       const wire::FirmwareRequest& request, int attempts, Done done);
+                       const wire::FirmwareRequest& request, int attempts, Done done, Gate gate);
     RequestChannel& at(int robot) { return *channels_[static_cast<std::size_t>(robot)]; }
     const RequestChannel& at(int robot) const { return *channels_[static_cast<std::size_t>(robot)]; }
 

@@ -78,6 +78,8 @@ class Session {
     void perform(CommandId id, const CancelFlash& command);
     void perform(CommandId id, const ResumeFlash& command);
     Result<void> checkStartFlash(int robot) const;
+    /// Whether a robot's capacitor is below 50 V, or was when it was last measured.
+    Result<void> checkCapacitor(int robot, bool unknownWillDo) const;
     /// Whether a robot that is being flashed may be erased or rebooted.
     Result<void> checkAtRest(int robot, const FlashOptions& options) const;
     /// Whether the cable that was lost belongs to a robot that was told to reboot: nothing is wrong then.

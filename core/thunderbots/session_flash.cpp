@@ -20,7 +20,8 @@ Error about(int robot, Errc code, std::string subject = {}) {
 
 Error outOfVolts(int robot, Errc code, double volts, double limit_V) {
     Error error = about(robot, code);
-    error.got = std::lround(volts);
+    // Rounded down, so that what is just below a limit never reads as the limit.
+    error.got = static_cast<std::int64_t>(volts);
     (code == Errc::BatteryLow ? error.lowest : error.highest) = std::lround(limit_V);
     return error;
 }
@@ -38,6 +39,17 @@ bool makeSense(const std::vector<SharedFlashPlan>& plans) {
 
 }  // namespace
 
+Result<void> Session::checkCapacitor(int robot, bool unknownWillDo) const {
+    const RobotState& state = model_.robot(robot);
+    const bool known = state.freshness == Freshness::Current;
+    // What nobody has measured may be charged, and what was on a capacitor that nobody measures any more may
+    // still be there.
+    if (!known && unknownWillDo) return {};
+    if (!state.capacitor) return fail(about(robot, Errc::ReadingsUnknown));
+    if (state.capacitor->last_V < wire::kCapacitorLive_V) return {};
+    return fail(outOfVolts(robot, Errc::CapacitorLive, state.capacitor->last_V, wire::kCapacitorLive_V));
+}
+
 Result<void> Session::checkAtRest(int robot, const FlashOptions& options) const {
     if (host_.stop.isSet()) return fail(about(robot, Errc::StopLatched));
     const RobotState& state = model_.robot(robot);
@@ -45,15 +57,8 @@ Result<void> Session::checkAtRest(int robot, const FlashOptions& options) const 
     const RobotIntent& intent = driver(robot).intent();
     if (const char* unrest = intent.unrest()) return fail(about(robot, Errc::NotBraked, unrest));
     if (intent.highVoltageArmed) return fail(about(robot, Errc::NotBraked, "high voltage"));
+    if (auto empty = checkCapacitor(robot, options.capacitorUnknown); !empty) return empty;
     const bool known = state.freshness == Freshness::Current;
-    // What nobody has measured may be charged, and what was on a capacitor that nobody measures any more may
-    // still be there.
-    if (!known && !state.capacitor && !options.capacitorUnknown)
-        return fail(about(robot, Errc::ReadingsUnknown));
-    const bool live = state.capacitor && state.capacitor->last_V >= wire::kCapacitorLive_V;
-    if (live && (known || !options.capacitorUnknown)) {
-        return fail(outOfVolts(robot, Errc::CapacitorLive, state.capacitor->last_V, wire::kCapacitorLive_V));
-    }
     if (known && !options.lowBattery && state.readings.battery_V < wire::kBatteryEmpty_V) {
         return fail(outOfVolts(robot, Errc::BatteryLow, state.readings.battery_V, wire::kBatteryEmpty_V));
     }

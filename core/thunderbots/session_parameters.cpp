@@ -62,14 +62,7 @@ Result<void> Session::checkReboot(const RebootRobot& command) const {
     if (host_.stop.isSet()) return fail(about(command.robot, Errc::StopLatched));
     if (const char* unrest = driver(command.robot).intent().unrest())
         return fail(about(command.robot, Errc::NotBraked, unrest));
-    const RobotState& robot = model_.robot(command.robot);
-    if (robot.freshness != Freshness::Current) return fail(about(command.robot, Errc::ReadingsUnknown));
-    if (robot.readings.capacitor_V >= wire::kCapacitorLive_V) {
-        Error error = about(command.robot, Errc::CapacitorLive);
-        error.got = static_cast<std::int64_t>(robot.readings.capacitor_V);
-        error.highest = static_cast<std::int64_t>(wire::kCapacitorLive_V);
-        return fail(std::move(error));
-    }
+    if (auto empty = checkCapacitor(command.robot, command.capacitorUnknown); !empty) return empty;
     if (!command.discard && parameters_.state(command.robot).standing == ParameterStanding::Applied)
         return fail(about(command.robot, Errc::NotCommitted));
     return {};
@@ -122,7 +115,11 @@ void Session::perform(CommandId id, const RebootRobot& command) {
     // Disarmed, so that nothing begins meanwhile, and the robot comes back as robots come.
     driver(command.robot).halt();
     sendBlock(command.robot);
-    parameters_.reboot(command.robot, answering(id));
+    const auto still = [this, robot = command.robot, unknown = command.capacitorUnknown]() -> Result<void> {
+        if (host_.stop.isSet()) return fail(about(robot, Errc::StopLatched));
+        return checkCapacitor(robot, unknown);
+    };
+    parameters_.reboot(command.robot, still, answering(id));
 }
 
 }  // namespace kickstand::thunderbots

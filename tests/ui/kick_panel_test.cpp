@@ -22,6 +22,8 @@ TEST_F(KickPanelTest, AKickOf2400IsTheBytesOfTheProtocolAndItsDropIsShown) {
     EXPECT_TRUE(line("kickNotice").contains(QStringLiteral("\u2192 148 V")))
         << line("kickNotice").toStdString();
     EXPECT_EQ(rig.wire().kicks().size(), 1U) << "one press, one kick";
+    EXPECT_TRUE(line("kickDrop").startsWith(QStringLiteral("\u22127"))) << line("kickDrop").toStdString();
+    EXPECT_TRUE(line("kickDropWhat").contains(QStringLiteral("2400"))) << line("kickDropWhat").toStdString();
 }
 
 TEST_F(KickPanelTest, EachButtonSendsItsSolenoids) {
@@ -74,7 +76,9 @@ TEST_F(KickPanelTest, TheReasonStandsOnTheDisabledButtonAndInTheLine) {
     EXPECT_FALSE(button("kickFirst")->isEnabled());
     EXPECT_TRUE(button("kickFirst")->toolTip().contains(QStringLiteral("not armed")));
     EXPECT_TRUE(line("kickNotice").contains(QStringLiteral("not armed")));
+    EXPECT_TRUE(line("kickHighVoltageWhy").contains(QStringLiteral("arm the high voltage first")));
     rig.clickRobot(9);
+    EXPECT_TRUE(line("kickHighVoltageWhy").contains(QStringLiteral("not heard")));
     EXPECT_TRUE(button("kickFirst")->toolTip().contains(QStringLiteral("not heard")));
     EXPECT_TRUE(line("kickNotice").contains(QStringLiteral("not heard")));
 }

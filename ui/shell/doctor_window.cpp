@@ -119,10 +119,15 @@ void DoctorWindow::refresh() {
     const auto wrong = std::find_if(findings_.begin(), findings_.end(), [](const Finding& finding) {
         return finding.state == CheckState::Problem;
     });
-    if (wrong == findings_.end()) {
-        verdict_->setState(Tone::Good, tr("Nothing that was looked at is wrong."));
-    } else {
+    const auto toLookAt = std::count_if(findings_.begin(), findings_.end(), [](const Finding& finding) {
+        return finding.state == CheckState::Warning;
+    });
+    if (wrong != findings_.end()) {
         verdict_->setState(Tone::Danger, tr("Begin here: %1").arg(describe(*wrong).what));
+    } else if (toLookAt > 0) {
+        verdict_->setState(Tone::Warning, tr("Everything works. To look at: %1.").arg(toLookAt));
+    } else {
+        verdict_->setState(Tone::Good, tr("Nothing that was looked at is wrong."));
     }
 }
 

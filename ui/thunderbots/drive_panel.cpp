@@ -159,10 +159,11 @@ void DrivePanel::refresh() {
     const ChoiceSummary& summary = control_.summary();
     wheels_->showState(control_);
     voltage_->showState(summary, bench().client().now(), waiting_ == 0 && control_.followsSnapshot());
-    const bool usable = control_.reasonNotToDrive().isEmpty();
+    const QString& reason = control_.reasonNotToDrive();
+    const bool usable = reason.isEmpty();
     wheels_->setUsable(usable);
     keys_->setUsable(usable);
-    voltage_->setUsable(usable);
+    voltage_->setObstacle(reason);
     setNote(summary.chosen == 0 ? tr("no robot chosen") : robotsText(summary.chosen));
     showTold();
     showNotice();

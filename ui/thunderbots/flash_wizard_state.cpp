@@ -89,6 +89,9 @@ void FlashWizardState::takeReviews(const Snapshot& snapshot) {
         review.state = FlashReview::State::Read;
         review.signatures = *known.signatures;
         review.contents = known.robot ? known.robot->flash() : wire::FlashContents::NoData;
+        // Of an upload that was broken off the volatile copy may say more than what the robot keeps.
+        const auto& last = snapshot.flash[at];
+        if (last && last->left == FlashLeft::NoData) review.contents = wire::FlashContents::NoData;
     }
 }
 

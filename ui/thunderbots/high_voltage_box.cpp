@@ -36,10 +36,13 @@ HighVoltageBox::HighVoltageBox(const QString& owner, QWidget* parent)
           this)),
       charger_(toggle(tr("Charger"), nameOf(owner, QStringLiteral("charger")),
                       tr("Charges the kicker's capacitor to 219 V."), this)),
-      discharge_(
-          toggle(tr("Discharge"), nameOf(owner, QStringLiteral("discharge")),
-                 tr("Empties the capacitor with pulses of 96 \u00b5s until 25 V. Take the ball away first."),
-                 this)) {
+      discharge_(toggle(
+          tr("Discharge"), nameOf(owner, QStringLiteral("discharge")),
+          tr("Empties the capacitor with pulses of 96 \u00b5s until 25 V. Take the ball away first."), this)),
+      why_(new QLabel(this)) {
+    why_->setObjectName(nameOf(owner, QStringLiteral("highVoltageWhy")));
+    why_->setForegroundRole(QPalette::PlaceholderText);
+    why_->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(metrics::kGap);
@@ -51,6 +54,7 @@ HighVoltageBox::HighVoltageBox(const QString& owner, QWidget* parent)
     row->addWidget(charger_, 1);
     row->addWidget(discharge_, 1);
     column->addLayout(row);
+    column->addWidget(why_);
     column->addStretch(1);
     connect(arm_, &QPushButton::clicked, this, &HighVoltageBox::armAsked);
     connect(charger_, &QPushButton::clicked, this, &HighVoltageBox::chargerAsked);
@@ -73,15 +77,20 @@ void HighVoltageBox::showState(const ChoiceSummary& summary, TimePoint now, bool
     refreshUsable();
 }
 
-void HighVoltageBox::setUsable(bool usable) {
-    usable_ = usable;
+void HighVoltageBox::setObstacle(const QString& reason) {
+    obstacle_ = reason;
     refreshUsable();
 }
 
 void HighVoltageBox::refreshUsable() {
-    arm_->setEnabled(usable_);
-    charger_->setEnabled(usable_ && armed_);
-    discharge_->setEnabled(usable_ && armed_);
+    const bool usable = obstacle_.isEmpty();
+    arm_->setEnabled(usable);
+    charger_->setEnabled(usable && armed_);
+    discharge_->setEnabled(usable && armed_);
+    why_->setText(!usable   ? obstacle_
+                  : !armed_ ? tr("To charge, kick or discharge, arm the high voltage first.")
+                            : QString());
+    why_->setVisible(!why_->text().isEmpty());
 }
 
 }  // namespace kickstand::ui

@@ -21,7 +21,8 @@ class HighVoltageBox final : public QWidget {
 
     /// `buttons`: whether they may follow the snapshot, or a person's wish is still on its way.
     void showState(const ChoiceSummary& summary, TimePoint now, bool buttons);
-    void setUsable(bool usable);
+    /// Why nothing of it can be used; empty where it can.
+    void setObstacle(const QString& reason);
 
   signals:
     void armAsked(bool on);
@@ -35,7 +36,8 @@ class HighVoltageBox final : public QWidget {
     QPushButton* arm_;
     QPushButton* charger_;
     QPushButton* discharge_;
-    bool usable_ = false;
+    QLabel* why_;
+    QString obstacle_;
     bool armed_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <bit>
 #include <chrono>
 
@@ -36,6 +37,7 @@ using namespace std::chrono_literals;
 constexpr int kVoltageWidth = 236;
 constexpr int kColumnGap = 20;
 constexpr int kLineHeight = 18;
+constexpr int kDropSize = 24;
 
 constexpr std::array kWayNames{"kickFirst", "kickSecond", "kickBoth"};
 
@@ -137,6 +139,13 @@ QWidget* KickPanel::makeVoltage() {
     charge_->setWordWrap(true);
     column->addWidget(voltage_);
     column->addWidget(charge_);
+    drop_ = new QLabel(box);
+    drop_->setObjectName(QStringLiteral("kickDrop"));
+    drop_->setFont(numberFont(kDropSize, QFont::Bold));
+    dropWhat_ = makeLine("kickDropWhat", box);
+    dropWhat_->setWordWrap(true);
+    column->addWidget(drop_);
+    column->addWidget(dropWhat_);
     column->addStretch(1);
     return box;
 }
@@ -183,7 +192,7 @@ void KickPanel::refresh() {
     const QString reason = reasonNotToUse(snapshot, summary_, bench().client().isStopped());
     showPulses();
     showButtons(snapshot);
-    showVoltage(shown, reason.isEmpty());
+    showVoltage(shown, reason);
     showLines(shown, reason);
     QString note = summary_.chosen == 0 ? tr("no robot chosen") : robotsText(summary_.chosen);
     if (summary_.capacitor_V) note += QStringLiteral(" \u00b7 ") + capacitorText(*summary_.capacitor_V);
@@ -194,6 +203,7 @@ void KickPanel::showPulses() {
     const wire::KickPulses& pulses = kick_.pulses();
     const auto encoded = wire::encodePulses(pulses);
     view_->showPulses(pulses);
+    view_->setLabels(kick_.label(KickWay::First), kick_.label(KickWay::Second));
     fields_->showPulses(pulses);
     QString text =
         encoded ? tr("on the wire: %1").arg(wireText(encoded->times)) : tr("no such kick exists on the wire");
@@ -228,9 +238,9 @@ void KickPanel::showButtons(const Snapshot* snapshot) {
         !reason.isEmpty() ? reason : tr("Kicks with what is drawn whenever the ball is in the beam."));
 }
 
-void KickPanel::showVoltage(const Snapshot& snapshot, bool usable) {
+void KickPanel::showVoltage(const Snapshot& snapshot, const QString& reason) {
     voltage_->showState(summary_, bench().client().now(), waiting_ == 0);
-    voltage_->setUsable(usable);
+    voltage_->setObstacle(reason);
     const int robot = onlyRobot(summary_);
     QString text;
     if (robot >= 0 && snapshot.robots[static_cast<std::size_t>(robot)].freshness == Freshness::Current) {
@@ -238,6 +248,20 @@ void KickPanel::showVoltage(const Snapshot& snapshot, bool usable) {
                           snapshot.robots[static_cast<std::size_t>(robot)].readings.charged, snapshot.time);
     }
     charge_->setText(text);
+    showDrop(snapshot);
+}
+
+void KickPanel::showDrop(const Snapshot& snapshot) {
+    const KickRecord* last = lastKick(snapshot);
+    const std::optional<double> drop_V = last == nullptr ? std::nullopt : last->drop_V();
+    drop_->setVisible(drop_V.has_value());
+    dropWhat_->setVisible(drop_V.has_value());
+    if (!drop_V) return;
+    drop_->setText(tr("\u2212%1").arg(capacitorText(*drop_V)));
+    drop_->setToolTip(measureText(*last));
+    QString what = last->cause == KickCause::Autokick ? tr("by the last autokick") : tr("by the last kick");
+    if (last->times) what += QStringLiteral(", ") + pulsesText(wire::personTermsOf(*last->times));
+    dropWhat_->setText(what);
 }
 
 QString KickPanel::autokickText(const Snapshot& snapshot) const {
@@ -267,13 +291,17 @@ QString KickPanel::autokickText(const Snapshot& snapshot) const {
     return text;
 }
 
+const KickRecord* KickPanel::lastKick(const Snapshot& snapshot) const {
+    const auto chosen = [this](const KickRecord& record) { return contains(summary_.chosen, record.robot); };
+    const auto last = std::find_if(snapshot.kicks->rbegin(), snapshot.kicks->rend(), chosen);
+    return last == snapshot.kicks->rend() ? nullptr : &*last;
+}
+
 QString KickPanel::lastKickText(const Snapshot& snapshot) const {
-    for (auto record = snapshot.kicks->rbegin(); record != snapshot.kicks->rend(); ++record) {
-        if (!contains(summary_.chosen, record->robot)) continue;
-        const QString what = record->cause == KickCause::Autokick ? tr("last autokick") : tr("last kick");
-        return QStringLiteral("%1: %2").arg(what, measureText(*record));
-    }
-    return tr("no kick yet");
+    const KickRecord* last = lastKick(snapshot);
+    if (last == nullptr) return tr("no kick yet");
+    const QString what = last->cause == KickCause::Autokick ? tr("last autokick") : tr("last kick");
+    return QStringLiteral("%1: %2").arg(what, measureText(*last));
 }
 
 void KickPanel::showLines(const Snapshot& snapshot, const QString& reason) {

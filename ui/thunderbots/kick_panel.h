@@ -40,7 +40,10 @@ class KickPanel final : public Panel {
     void showPulses();
     void showButtons(const thunderbots::Snapshot* snapshot);
     void showLines(const thunderbots::Snapshot& snapshot, const QString& reason);
-    void showVoltage(const thunderbots::Snapshot& snapshot, bool usable);
+    void showVoltage(const thunderbots::Snapshot& snapshot, const QString& reason);
+    void showDrop(const thunderbots::Snapshot& snapshot);
+    /// Of the chosen robots; null for none.
+    const thunderbots::KickRecord* lastKick(const thunderbots::Snapshot& snapshot) const;
     QString autokickText(const thunderbots::Snapshot& snapshot) const;
     QString lastKickText(const thunderbots::Snapshot& snapshot) const;
 
@@ -61,6 +64,8 @@ class KickPanel final : public Panel {
     QLabel* notice_ = nullptr;
     HighVoltageBox* voltage_ = nullptr;
     QLabel* charge_ = nullptr;
+    QLabel* drop_ = nullptr;
+    QLabel* dropWhat_ = nullptr;
 
     ChoiceSummary summary_;
     QString snapped_;

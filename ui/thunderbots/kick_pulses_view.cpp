@@ -57,6 +57,15 @@ KickPulsesView::KickPulsesView(QWidget* parent) : QWidget(parent) {
     showPulses({});
 }
 
+void KickPulsesView::setLabels(const QString& first, const QString& second) {
+    const std::array<QString, 2> labels{tr("%1 \u00b7 solenoid 1").arg(first),
+                                        tr("%1 \u00b7 solenoid 2").arg(second)};
+    if (labels == labels_) return;
+    labels_ = labels;
+    placeHandles();
+    update();
+}
+
 QSize KickPulsesView::sizeHint() const {
     return {kLeastWidth, kHeight};
 }

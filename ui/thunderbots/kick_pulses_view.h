@@ -17,6 +17,8 @@ class KickPulsesView final : public QWidget {
     explicit KickPulsesView(QWidget* parent = nullptr);
 
     void showPulses(const thunderbots::wire::KickPulses& pulses);
+    /// What gives each pulse alone: said beside it.
+    void setLabels(const QString& first, const QString& second);
     const thunderbots::wire::KickPulses& pulses() const { return pulses_; }
     PulseAxis axis() const;
     PulseHandle* handle(PulseEdge edge) const { return handles_[static_cast<std::size_t>(edge)]; }

@@ -118,11 +118,10 @@ QString reasonNotToReboot(const Snapshot& snapshot, int robot, bool stopped) {
         intent.sweeping || intent.checking)
         return Words::tr("Before a reboot the robot has to be braked, its charger and autokick off.");
     const RobotState& state = snapshot.robots[at];
-    if (state.freshness != Freshness::Current)
-        return Words::tr("Before a reboot the robot's capacitor has to be known.");
-    if (state.readings.capacitor_V >= wire::kCapacitorLive_V)
+    if (!state.capacitor) return Words::tr("Before a reboot the robot's capacitor has to be known.");
+    if (state.capacitor->last_V >= wire::kCapacitorLive_V)
         return Words::tr("Before a reboot the capacitor has to be below 50 V, and it is at %1: discharge it.")
-            .arg(capacitorText(state.readings.capacitor_V));
+            .arg(capacitorText(state.capacitor->last_V));
     return {};
 }
 
