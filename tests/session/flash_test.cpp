@@ -350,7 +350,7 @@ TEST_F(Flash, MakesNoNumberOrChannelPermanentThatSomebodyHasOnlyApplied) {
         rig.advance(100ms);
         const FlashProgress end = waitForEnd(1);
         EXPECT_EQ(end.stage, FlashStage::Failed) << at;
-        EXPECT_EQ(end.error->code, Errc::NotCommitted) << at;
+        EXPECT_EQ(end.error->code, Errc::RebootNeeded) << at;
         EXPECT_EQ(end.left, FlashLeft::Untouched) << at;
     }
     EXPECT_EQ(countOf(1, FirmwareOp::CommitParameters), 0U);

@@ -11,8 +11,10 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "app/composition/composition.h"
@@ -171,6 +173,14 @@ int WindowHour::report() {
         std::fputs("window: the plot was never painted\n", stderr);
         return 1;
     }
+    // Where in the run the late ones were tells a slow first look at a panel from a slow plot.
+    std::string lateAt;
+    double passed_ms = 0;
+    for (const double frame_ms : frames) {
+        passed_ms += frame_ms;
+        if (frame_ms > kLatest_ms)
+            lateAt += (lateAt.empty() ? "" : ",") + std::to_string(std::lround(passed_ms / 1000));
+    }
     std::sort(frames.begin(), frames.end());
     const auto at = [&frames](double share) {
         return frames[static_cast<std::size_t>(share * static_cast<double>(frames.size() - 1))];
@@ -180,10 +190,10 @@ int WindowHour::report() {
     const bool good = late == 0 && grown <= kMayGrow_MB && stops_ == 0 && eventsLost_ == 0;
     std::printf(
         "{\"minutes\":%.1f,\"frames\":%zu,\"frame_ms\":{\"p50\":%.1f,\"p99\":%.1f,\"max\":%.1f},"
-        "\"later_than_50_ms\":%td,\"kicks\":%llu,\"stops\":%llu,\"events_lost\":%llu,"
+        "\"later_than_50_ms\":%td,\"late_at_s\":[%s],\"kicks\":%llu,\"stops\":%llu,\"events_lost\":%llu,"
         "\"memory_MB\":{\"start\":%.1f,\"quarter\":%.1f,\"end\":%.1f},"
         "\"resident_MB\":{\"start\":%.1f,\"quarter\":%.1f,\"end\":%.1f},\"good\":%s}\n",
-        minutes_, frames.size(), at(0.5), at(0.99), frames.back(), late,
+        minutes_, frames.size(), at(0.5), at(0.99), frames.back(), late, lateAt.c_str(),
         static_cast<unsigned long long>(kicks_), static_cast<unsigned long long>(stops_),
         static_cast<unsigned long long>(eventsLost_), memory_MB_.front(), memory_MB_[memory_MB_.size() / 4],
         memory_MB_.back(), resident_MB_.front(), resident_MB_[resident_MB_.size() / 4], resident_MB_.back(),
