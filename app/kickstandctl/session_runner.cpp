@@ -192,6 +192,8 @@ Outcome SessionRunner::perform(const SystemCommand& command, Duration limit) {
         limit);
     if (!answered) return tl::unexpected(answered.error());
     if (!result) return failed(errorOf(Errc::TimedOut));
+    // The snapshot that belongs to the answer is there, and may be newer than the last one looked at.
+    refresh();
     if (!*result) return failed(result->error());
     return {};
 }

@@ -91,6 +91,7 @@ class EngineCore {
     std::uint64_t pressesSeen_ = 0;
     bool stopTold_ = false;
     bool ending_ = false;  ///< shutdown() has been called: commands are refused.
+    bool dropping_ = false;  ///< Sessions are being destroyed: nothing may look at them.
     bool heartbeatFresh_ = false;
     TimePoint lookedAt_{};
     Duration asleep_{};

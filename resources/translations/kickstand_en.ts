@@ -299,6 +299,484 @@
     </message>
 </context>
 <context>
+    <name>CoachWords</name>
+    <message>
+        <source>connected: a radio module answers, its address is %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the port is open, but no radio module in API mode answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link lost: a boat that was driven stops by its own timer, within a second of its last velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radio module has started anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting for the serial port to be plugged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radio module found, at %1 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no radio module was found at any speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radio module set and read back: %1 (%2), changes: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radio module could not be set: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH %1 starts up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1 wakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no COACH or TOWRP is played any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1 is heard, with %2 dBm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1 obeys COACH %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paired with team %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not paired with team %1 any more: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mutiny: three seconds to suppress it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mutiny quelled, morale %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mutiny was not suppressed in time: the crew has the boat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suppress Mutiny sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew jettisoned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free digital</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free analog: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>morale %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no velocity for a second: the boat stops by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero velocity sent to TOWRP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting for the port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening the port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asking the radio module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no radio module in API mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setting up the radio module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radio module ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>startup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not paired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asserting command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mutiny</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>startup ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat suppress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mutiny wins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>morale may change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was heard for five seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the crew was jettisoned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mutiny was not suppressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>API mode 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>API mode 2 (escaped)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no acknowledgement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel busy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>purged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counterclockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suppress Mutiny</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assertion of Command, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jettison the Crew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free Digital</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free Analog: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mutiny in Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I Am Available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assertion of Command Result: COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update Morale: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeviceWords</name>
+    <message>
+        <source>unexpected packet delimiter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>generic error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>serial port found: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>serial port gone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody answers at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the user&apos;s catalogue cannot be read, so it is left out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asking who is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed by the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sent, unconfirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing comes from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it began anew; its updates were asked for again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends no updates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends updates every %1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it reports: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its data do not fit its kind: %1 bytes came where %2 were expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped and disabled: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Doctor</name>
     <message>
         <source>%1 is plugged in at %2.</source>
@@ -672,10 +1150,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start what serves it (kickstand-sim, or usbipd on that machine), or check the address.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No dongle or cabled robot is plugged in[ ({subject})].</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1019,6 +1493,206 @@
         <source>The robot[ {robot}] runs, but not with the firmware that was sent.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is no serial port {port}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug the device in, or check the port&apos;s name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See that it is plugged in there and that its server runs (kickstand-sim, or usbipd on that machine), or check the address.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This user may not open the serial port {port}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the group that may, then log in again:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program holds the serial port {port}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close that program: a serial monitor, an IDE, or another bench.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device at {subject} is in use: {detail} (USB/IP status {got}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the program that has it, here or on another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The serial port {port} is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug the device in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The serial port {port} does not work[: {detail}].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unplug the device and plug it in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{detail} did not take {subject}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the value, and whether the board is disabled or out of order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device did not take it[: {subject}].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot[ {robot}] has a number or channels that it does not use before its next reboot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reboot it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step {place}, “{subject}”, has no code that the robot knows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write in its place: {detail}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The movement[ “{subject}”] has no code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a distance or an angle from the tables.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot refused: {detail} (error {got}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Query the slot to see what is in it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent, because the robot would refuse it: {detail} (error {got}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose an empty slot to create, or the ID of the plan in it to update or execute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent, because the robot would refuse it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Query the slot to see what is in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A plan is executing already, or may be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot confirmed something else than was sent[ ({subject})][: {detail}].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send it again; if what is missing begins at a zero byte, the robot&apos;s program reads its mailbox as text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing came back that says whether it arrived[ ({subject})], and it is not sent again unasked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the robot: if it does not do it, ask again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The NXT answers that {detail} (status {got}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the robot&apos;s program on it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The NXT refuses to answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No boat and COACH are paired.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair them first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The boat[ of team {robot}] obeys another COACH[: that of team {got}].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until it says that it is available again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This program plays a COACH or a TOWRP at present.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End that role first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No radio module in API mode answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for it and set it up: with `kickstandctl coach radio set`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The radio module is not set up[ for {subject}][: its address is {detail}].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the preset for it: with `kickstandctl coach radio set`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The radio module says something else than what it was set to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read it again, and set what is still wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>EventWords</name>
@@ -1305,10 +1979,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>parameters were applied and not committed: an upload would lose them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>it is being asked something: a moment</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1513,10 +2183,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Its parameters are read; it is marked as having no data, so that it never starts half an image.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: the flash is erased (8 s), %2 pages are written, then every block is verified.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1578,6 +2244,18 @@
     </message>
     <message>
         <source>%1: pages %2, signatures %3 (firmware), %4 (flash)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its capacitor was never measured: treat as live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameters were applied and not committed: an upload would make some of them permanent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each robot&apos;s parameters are read; it is marked as having no data, so that it never starts half an image.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1781,6 +2459,10 @@
     </message>
     <message>
         <source>upload ended: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameters before it began: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2269,6 +2951,157 @@
     </message>
 </context>
 <context>
+    <name>MotionplanView</name>
+    <message>
+        <source>Motion plans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated NXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with a simulated NXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A virtual robot that takes motion plans and executes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated NXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP cannot reach the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 telegrams out, %2 in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sent again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 unanswered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot starts its trigger plan %1 when the connection ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a virtual NXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bluetooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unanswered reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubled messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay of messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lose the next to the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lose the next from the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mailbox read as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Updates at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NXT %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Options</name>
     <message>
         <source>A bench for small robots: drive, watch and stop them.
@@ -2663,6 +3496,243 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
 </context>
 <context>
+    <name>PlanWords</name>
+    <message>
+        <source>plan %1 in slot %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>create</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>update</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>execute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>query</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adjust</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected; nothing was started or stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link lost. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting for the robot&apos;s serial port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the NXT says: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unreadable messages: %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slot %1 is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slot %1 holds plan %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>created %1, movements: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>updated %1, movements: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger plan %1 set: it starts when the connection ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no trigger plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger plan %1, movements: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot reports error %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the robot confirmed something else: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: nothing says whether it arrived; look at the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>executing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has come to its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped: nothing was executing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped, as the robot confirms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop was sent, and the robot did not confirm it: it may go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 executes, and nothing is heard of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed of %1 changed by %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s Bluetooth is gone: it goes on with its plan or starts its trigger plan, and STOP cannot reach it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting for the serial port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening; Bluetooth can take seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <comment>link</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>link</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asked to execute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>executing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>may be executing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both wheels forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both wheels back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left wheel forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left wheel back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right wheel forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right wheel back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forward %1 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back %1 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn right %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn left back %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn left %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn right back %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something that this program has no words for</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PlotText</name>
     <message>
         <source>A → B  Δt %1</source>
@@ -3012,19 +4082,11 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sixteen with 5 % radio loss</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The same sixteen, heard through a bad radio.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>One simulated robot on a cable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One robot on a cable</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3241,6 +4303,14 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>Firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sixteen robots, 5 % radio loss, simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sixteen simulated, 5 % radio loss</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3651,6 +4721,45 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>autokick</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing says where the serial port is to be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add --pty PATH.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand-sim</name>
+    <message>
+        <source>Numbers from 0 to 15, as in 0,3,5-7.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of: true, ideal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A share from 0 to 1, as in 0.05.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A whole number from 0 on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s number, 0 to 15.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::app::Tour</name>
@@ -4055,6 +5164,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>Begin here: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything works. To look at: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4907,6 +6020,10 @@ Double-click or Enter says more.</source>
         <source>Robot %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 live</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::FlashStepStrip</name>
@@ -4970,6 +6087,10 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Discharging…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To charge, kick or discharge, arm the high voltage first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5113,6 +6234,18 @@ Double-click or Enter says more.</source>
         <source>What the button says</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>−%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the last autokick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the last kick</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::KickPresetBox</name>
@@ -5181,6 +6314,14 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · solenoid 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · solenoid 2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5820,6 +6961,435 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>Earlier readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::PlanDocument</name>
+    <message>
+        <source>add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::PlanPanel</name>
+    <message>
+        <source>   no code: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>   zero byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen step once more, after itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen step one place up; steps can be dragged too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen step one place down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split 1000 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward 1000 cm is a zero byte, which a robot&apos;s program may take for the end: 900 and 100 cm in its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A plan from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of the plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between the wheels, for drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>track </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 movements, %3 of 59 bytes with header and end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No steps yet. Add one above, or open a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero bytes: %1. A robot whose program reads its mailbox as text loses what follows; Split 1000 cm avoids it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open a plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plans (*.plan *.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a plan. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot.plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::PlanPath</name>
+    <message>
+        <source>The way of the plan, from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grid %1 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::PlanRobotPanel</name>
+    <message>
+        <source>Stop plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the plan that executes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Query slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks what is in each slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the plan of the editor the trigger plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the trigger plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes the speed of these wheels while the plan executes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ID under which the plan is sent to an empty slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan ID </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends the plan of the editor to slot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Execute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Executes the plan of slot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheels whose speed is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both wheels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of their speed, in percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to an NXT, or to a simulated one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program is running on the NXT: start the robot&apos;s program on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan %1, step %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; nothing heard for a while</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>asking the robot, %n more waiting</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>When the connection ends, the robot starts its trigger plan; STOP cannot reach it then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP needs Bluetooth: without it the robot goes on with its plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan %1, executing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>
+%n step(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger plan: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::PlanStepRow</name>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which way the robot moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn left back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn right back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far, in centimetres or degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, one byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No code for this; added as exactly the same: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No code for this, and no sum is the same. Nearest: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7002,6 +8572,126 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <source>From another machine: the same, with this machine&apos;s address in place of %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>smart devices, simulated: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are radio modules: %1, and paths for them: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --pty a path for each address, with commas between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the serial ports are to be: one for each module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the modules&apos; addresses, as in 0xBC05,0xAF05; 0xBC05 without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the modules are as they come from the factory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the teams of the boats; 3,5,7 without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the teams of simulated COACHes; none without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how often a crew&apos;s morale falls; 5 without it, 0 for never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serves simulated XBee modules, with TOWRPs and COACHes that they hear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the serial port is to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which part of the messages is lost, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which part of the reads is never answered, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which part of the robot&apos;s messages comes twice, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by how much the robot&apos;s messages come later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how much faster than real it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its program reads mailboxes as text: what follows a zero byte is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serves a simulated NXT that takes motion plans.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the serial port is to be; of several boards PATH, PATH1, PATH2, …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the boards, as in PolarBear,Encoder.hibike; one PolarBear without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the opening of the port to the first answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serves simulated smart devices on pseudo-terminals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It says how to reach them, and goes on until Ctrl+C, SIGTERM or SIGHUP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an XBee adapter and no TOWRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an XBee adapter and TOWRPs %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an NXT that takes motion plans, simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be served at %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another path with --pty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From any program, at these serial ports:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From this one&apos;s other half:</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstandctl</name>
@@ -7630,10 +9320,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>usb:, usb:?port=1-2.3, usb-cable:, usbip:127.0.0.1:3240/1-1 or sim:thunderbots?robots=0-15&amp;loss=0.02; without it the only hardware that is found</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>one JSON value; a value a line where it streams</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7858,10 +9544,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>what the one file is for; guessed without it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>robots: 3, or 0,5-7</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7947,6 +9629,550 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>; left out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;TOWRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;packets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 dBm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>obeys COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No TOWRP is heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2  %3 dBm  %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driving: %1, for %2 s; Ctrl+C stops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the team of the boat; without it this COACH&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>red (as without it) or blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>-100 to 100, snapped to the nearest of 0, 15, 29, 45, 59, 75, 89, 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same; positive is counterclockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>-100 to 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the crew&apos;s morale once it is paired; -10 is a mutiny</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plays the COACH that the radio module is set up for: its startup first, then the boat that is asked for. When it ends in any way, zero velocity is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only listens: nothing is sent by radio.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lists the TOWRPs that are heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows every packet that is heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs with a boat and holds it still for a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives a boat for a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends Free Digital to a boat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends Free Analog to a boat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends Suppress Mutiny to a boat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives a boat up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plays the TOWRP, the boat, for a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So that a team can test its own COACH.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>network (PAN)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>node name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give coach, towrp, dongle or robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at every speed, also where the module answers at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coach or towrp (with --team), dongle (with --radio), robot (with --robot and --radio)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0-255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 or 1: which of a Thunderbots dongle&apos;s or robot&apos;s two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>16 bits, as in 0xBC05</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0x0B to 0x1A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the network&apos;s number, 16 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 transparent, 1 API, 2 API escaped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1200 to 115200, or 250000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the node&apos;s name, at most 20 characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads the settings of the radio module.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A module that does not answer at this link&apos;s speed in API mode is looked for at every speed and in every mode, which takes up to half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets the radio module, makes that last, and reads it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is not given stays as it is. A fresh module needs no other program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No plan is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it, as in &quot;forward 25, turn left 84&quot;, or name a file with --file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This link does not lead to a robot with motion plans.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name one, as in --link serial:/dev/rfcomm0?protocol=motionplan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot stands, as it says itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0-4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file with the plan, instead of its text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1-254</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the plan in the slot; without it the one that is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0-4; all of them without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1-254; 1 without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts a plan into an empty slot of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A plan is text: forward 25, back 50, turn left 84, turn right back 30; centimetres and degrees, parted by commas.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaces the plan in a slot of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks which plans are in the robot&apos;s slots.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets the plan that starts when the connection is lost, or reads it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a plan it only reads. A robot cannot tell a connection that was closed from one that was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what the robot says of itself; leaves it as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the plan that executes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot reach a robot whose Bluetooth is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the robot stands is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plan that is put into the slot first, as PLAN is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long it may go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Executes the plan of a slot, and stops it when the time is over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It ends when the plan does. With a plan, as text or in a file, that is put into the slot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes the speed of wheels while a plan executes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is stopped when the time is over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This link does not lead to smart devices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name serial ports, as in --link serial:/dev/ttyACM0, or sim:smartdevice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no device “%1” here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are several devices “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name one by its kind, UID or port; there are: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no parameter “%2”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody answers at %1. Check that a smart device is at its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no smart device here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 answers after %3 ms (median), %4 ms (99 of 100)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no parameter with its value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it as NAME=VALUE, as in duty_cycle=0.2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What moves needs --for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say how long, as in --for 2: the device is stopped afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was told to stop everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The devices were told to stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long; needed for what moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from one update to the next; 40 without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DEVICE is its kind (PolarBear) where there is one of it, its UID, or its port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lists the smart devices that are plugged in, and the ports without one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures how fast a device answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads parameters once; all without a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes parameters, and says whether the device took them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prints parameters as the device sends them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lets a device stop everything; its next write resumes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See that its capacitor is empty, then give --discharged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the one file is for, where its bytes do not show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no team color.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give red or blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep clear: the boat stops by itself within a second of its last velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No boat is driven any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the boat has stopped is not known; its own timer stops it within a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which serial port the radio module is at is not said.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name it: --link &apos;serial:/dev/ttyUSB0?protocol=coach&apos;, or --link sim:coach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This link is not one to a COACH&apos;s or TOWRP&apos;s radio module.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name one, as in --link &apos;serial:/dev/ttyUSB0?protocol=coach&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What “%1” is for cannot be told for certain: probably %2, %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say it with --target pic or --target fpga.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; for this target because %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>usb:, usb:?port=1-2.3, usb-cable:, usbip:127.0.0.1:3240/1-1, serial:/dev/rfcomm0?protocol=motionplan, sim:motionplan or sim:thunderbots?robots=0-15&amp;loss=0.02; without it the only hardware that is found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan is given twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it as text or by --file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a file with a plan, such as one that the window has saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--wheels is “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of: both, left, right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 plan %2 in slot %3, step %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

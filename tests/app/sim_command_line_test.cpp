@@ -32,7 +32,7 @@ TEST(SimArguments, ANegativeNumberIsNoOption) {
 
 TEST(SimArguments, BadUsageSaysWhatAndWhatToDo) {
     for (const Words& words : std::vector<Words>{{},
-                                                 {"smartdevice"},
+                                                 {"starships"},
                                                  {"--usbip", "thunderbots"},
                                                  {"thunderbots", "--usb"},
                                                  {"thunderbots", "--port"},

@@ -199,6 +199,7 @@ TEST_F(Flash, SendsNoRebootAfterStop) {
     rig.advance(60s);
     EXPECT_EQ(countOf(0, FirmwareOp::Reboot), 0U);
     EXPECT_EQ(contents(0), kNoDataByte) << "nor is anything committed";
+    EXPECT_EQ(countOf(0, FirmwareOp::SetParameters), 1U) << "nor named in the copy that a reading shows";
     EXPECT_EQ(progress(0).left, FlashLeft::NoData);
 }
 

@@ -61,7 +61,8 @@ TEST_F(DoctorTest, FromTheStatusStripEverythingIsWell) {
     rig.click(QStringLiteral("doctorButton"));
     EXPECT_TRUE(waitFor("link", QStringLiteral("ok. sim:thunderbots?robots=0-5 runs: simulated dongle.")));
     EXPECT_TRUE(waitFor("robots", QStringLiteral("Heard: robots 0-5")));
-    EXPECT_TRUE(waitUntil([this] { return verdict() == ui::Tone::Good; }));
+    // Robot 5's battery is low from the beginning: nothing that keeps anything from working.
+    EXPECT_TRUE(waitUntil([this] { return verdict() == ui::Tone::Warning; }));
     EXPECT_EQ(line("device"), nullptr);
 }
 

@@ -130,7 +130,7 @@ std::vector<LinkOffer> ThunderbotsView::offers() const {
     return {
         {Words::tr("Sixteen simulated robots"), Words::tr("Start with sixteen simulated robots"),
          Words::tr("A virtual dongle and its robots: nothing to plug in, nothing to break."), simulation({})},
-        {Words::tr("Sixteen simulated robots, 5 % radio loss"),
+        {Words::tr("Sixteen robots, 5 % radio loss, simulated"),
          Words::tr("Sixteen simulated, 5 % radio loss"),
          Words::tr("The same sixteen, heard through a bad radio."), simulation({{"loss", "0.05"}})},
         {Words::tr("One simulated robot on a cable"), Words::tr("One simulated robot on a cable"),
