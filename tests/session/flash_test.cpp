@@ -424,9 +424,17 @@ TEST_F(Flash, WorksOnARadioAtItsTruePace) {
     made.sim.robots = 0x0007;
     kickstand::testing::SessionRig other(std::move(made));
     ASSERT_TRUE(other.connect());
+    // Heard first, measured a little later.
+    const auto measured = [&other] {
+        const auto now = other.state();
+        return now.robots[0].capacitor && now.robots[1].capacitor && now.robots[2].capacitor;
+    };
+    ASSERT_TRUE(other.waitUntil(measured, 10s));
     const auto plan = densePlan(12, kFpga);
     ASSERT_TRUE(other.ask(StartFlash{0x0007, {plan}, {}}));
+    other.advance(20ms);
     for (const std::size_t robot : {0U, 1U, 2U}) {
+        ASSERT_TRUE(other.state().flash[robot]) << robot;
         for (int i = 0; i < 2000 && other.state().flash[robot]->running(); ++i)
             other.advance(50ms);
         const FlashProgress end = *other.state().flash[robot];
