@@ -22,6 +22,7 @@ constexpr Duration kRobotLimit = seconds(2);
 constexpr Duration kSettleLimit = seconds(2);
 /// Robots are found one after another: so long without a new one, and that was all.
 constexpr Duration kQuiet = milliseconds(300);
+constexpr Duration kSnapshotFollows = milliseconds(30);
 constexpr Duration kBrakeLimit = milliseconds(500);
 /// Over Bluetooth a Stop is sent up to five times, once a second.
 constexpr Duration kStopPlanLimit = milliseconds(6500);
@@ -192,9 +193,10 @@ Outcome SessionRunner::perform(const SystemCommand& command, Duration limit) {
         limit);
     if (!answered) return tl::unexpected(answered.error());
     if (!result) return failed(errorOf(Errc::TimedOut));
-    // The snapshot that belongs to the answer is there, and may be newer than the last one looked at.
-    refresh();
     if (!*result) return failed(result->error());
+    // The answer comes when it is known, the snapshot that belongs to it with the engine's next step.
+    if (auto shown = waitUntil([] { return false; }, kSnapshotFollows); !shown)
+        return tl::unexpected(std::move(shown.error()));
     return {};
 }
 

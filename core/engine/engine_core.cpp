@@ -195,8 +195,6 @@ void EngineCore::tellLatch(EngineNote::Kind kind, StopReason reason) {
 }
 
 void EngineCore::answer(Answer given) {
-    // Whoever reads an answer finds what it is about in the snapshot.
-    if (!ending_ && !dropping_) publishIfChanged();
     if (!flows_.answers.tryPush(std::move(given))) ++answersLost_;
 }
 
@@ -256,10 +254,8 @@ void EngineCore::endSessions() {
     scheduler_.cancel(std::exchange(shutdownDeadline_, 0));
     for (const Closing& closing : closing_)
         scheduler_.cancel(closing.deadline);
-    dropping_ = true;
     sessions_.clear();
     closing_.clear();
-    dropping_ = false;
 }
 
 }  // namespace kickstand

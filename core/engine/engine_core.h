@@ -90,8 +90,7 @@ class EngineCore {
     std::uint64_t stopsSeen_ = 0;  ///< Of the latch's count: how many have been acted on.
     std::uint64_t pressesSeen_ = 0;
     bool stopTold_ = false;
-    bool ending_ = false;    ///< shutdown() has been called: commands are refused.
-    bool dropping_ = false;  ///< Sessions are being destroyed: nothing may look at them.
+    bool ending_ = false;  ///< shutdown() has been called: commands are refused.
     bool heartbeatFresh_ = false;
     TimePoint lookedAt_{};
     Duration asleep_{};
