@@ -46,7 +46,7 @@ void RadioLine::send(std::uint16_t destination, const wire::Message& message) {
     entry.address = destination;
     entry.message = message;
     entry.frameId = id;
-    remember(std::move(entry));
+    remember(entry);
     write(xbee::Tx16{id, destination, 0, bytes});
 }
 
@@ -100,7 +100,7 @@ void RadioLine::take(const xbee::Rx16& packet) {
     entry.address = packet.source;
     entry.rssi_dBm = packet.rssi_dBm;
     entry.message = *message;
-    remember(std::move(entry));
+    remember(entry);
     listener_.message(Received{packet.source, packet.rssi_dBm, *message});
 }
 
@@ -118,7 +118,7 @@ void RadioLine::take(const xbee::TxStatus& status) {
 void RadioLine::remember(TrafficEntry entry) {
     entry.number = ++lastNumber_;
     entry.time = scheduler_.now();
-    entries_.push_back(std::move(entry));
+    entries_.push_back(entry);
     if (entries_.size() > kRemembered) entries_.pop_front();
     published_.reset();
     ++version_;

@@ -273,7 +273,7 @@ QString describe(const coach::wire::Velocity& velocity) {
 }
 
 QString describe(const coach::wire::Message& message) {
-    const int number = static_cast<std::int8_t>(message.parameter);
+    const int number = message.parameter < 0x80 ? message.parameter : message.parameter - 0x100;
     switch (message.opcode) {
         case Opcode::SuppressMutiny:
             return CoachWords::tr("Suppress Mutiny");

@@ -8,7 +8,7 @@
 namespace kickstand {
 
 /// The longest file that is read.
-inline constexpr qsizetype kLongestParameterFile = 64 * 1024;
+inline constexpr qsizetype kLongestParameterFile = qsizetype{64} * 1024;
 
 /// A JSON file of parameters, as resources/help/parameters-file.md describes it, of the values that there
 /// are. Any thread.

@@ -138,7 +138,7 @@ std::optional<Frame> decodeFrame(ByteView data) noexcept {
     return OtherFrame{data[0], data.subspan(1)};
 }
 
-FrameData encodeFrame(const Frame& frame) noexcept {
+FrameData encodeFrame(const Frame& frame) {
     return std::visit([](const auto& one) { return encoded(one); }, frame);
 }
 

@@ -103,7 +103,7 @@ using LineFrame = InlineBytes<1 + 2 * (2 + kMaxFrameData + 1)>;
 std::optional<Frame> decodeFrame(ByteView data) noexcept;
 
 /// The data of a frame; empty where its payload or value does not fit. Never allocates. Any thread.
-FrameData encodeFrame(const Frame& frame) noexcept;
+FrameData encodeFrame(const Frame& frame);
 
 /// Puts delimiter, length and checksum around the data of a frame. Empty data, or more than kMaxFrameData,
 /// gives nothing. Any thread.

@@ -91,8 +91,10 @@ class MotorBody final : public Body {
     bool wantsHeartbeats() const override { return true; }
 
     void advance(double span_s) override {
-        for (; span_s > 0; span_s -= kStep_s)
-            step(std::min(span_s, kStep_s));
+        const auto steps = static_cast<int>(span_s / kStep_s);
+        for (int i = 0; i < steps; ++i)
+            step(kStep_s);
+        if (const double rest_s = span_s - steps * kStep_s; rest_s > 0) step(rest_s);
     }
 
     std::vector<SimQuantity> quantities() const override { return {{"load", "1", 0, 1}}; }

@@ -138,7 +138,7 @@ const char* name(MessageFault fault) noexcept {
     return "";
 }
 
-MessageId idOf(const Message& message) noexcept {
+MessageId idOf(const Message& message) {
     struct Ids {
         MessageId operator()(const Ping&) const noexcept { return MessageId::Ping; }
         MessageId operator()(const SubscriptionRequest&) const noexcept {
@@ -178,7 +178,7 @@ Decoded decodeMessage(Dialect dialect, ByteView bytes) noexcept {
     return readPayload(dialect, *id, bytes.subspan(kHeader, length));
 }
 
-MessageBytes encodeMessage(Dialect dialect, const Message& message) noexcept {
+MessageBytes encodeMessage(Dialect dialect, const Message& message) {
     MessageBytes bytes;
     bytes.append(static_cast<std::uint8_t>(idOf(message)));
     bytes.append(0);

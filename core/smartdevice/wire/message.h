@@ -101,7 +101,7 @@ using Message = std::variant<Ping, SubscriptionRequest, SubscriptionResponse, De
                              DeviceData, DeviceDisable, HeartbeatRequest, HeartbeatResponse, ErrorMessage>;
 
 /// The kind of a message. Any thread.
-MessageId idOf(const Message& message) noexcept;
+MessageId idOf(const Message& message);
 
 /// What is wrong with bytes that should be a message.
 enum class MessageFault : std::uint8_t {
@@ -122,6 +122,6 @@ tl::expected<Message, MessageFault> decodeMessage(Dialect dialect, ByteView byte
 
 /// Writes a message, checksum included; values that do not fit a payload of the dialect are cut, delays that
 /// do not fit its field become the longest. Allocates nothing. Any thread.
-MessageBytes encodeMessage(Dialect dialect, const Message& message) noexcept;
+MessageBytes encodeMessage(Dialect dialect, const Message& message);
 
 }  // namespace kickstand::smartdevice::wire

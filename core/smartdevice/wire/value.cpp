@@ -190,7 +190,7 @@ std::optional<Value> readValue(ValueType type, ByteView bytes) noexcept {
     return Value(raw);
 }
 
-RawValue bytesOf(const Value& value) noexcept {
+RawValue bytesOf(const Value& value) {
     return std::visit(
         [](const auto& held) {
             using T = std::decay_t<decltype(held)>;
@@ -206,7 +206,7 @@ RawValue bytesOf(const Value& value) noexcept {
         value);
 }
 
-std::optional<double> toNumber(const Value& value) noexcept {
+std::optional<double> toNumber(const Value& value) {
     return std::visit(
         [](const auto& held) -> std::optional<double> {
             if constexpr (std::is_same_v<std::decay_t<decltype(held)>, RawValue>)

@@ -57,11 +57,11 @@ std::optional<Value> readValue(ValueType type, ByteView bytes) noexcept;
 template <std::size_t capacity>
 bool appendValue(InlineBytes<capacity>& bytes, const Value& value) noexcept;
 /// The bytes of a value. Any thread.
-RawValue bytesOf(const Value& value) noexcept;
+RawValue bytesOf(const Value& value);
 
 /// The value as a number, for plots and ranges; whole numbers beyond 2^53 are rounded. Nothing for Raw. Any
 /// thread.
-std::optional<double> toNumber(const Value& value) noexcept;
+std::optional<double> toNumber(const Value& value);
 /// The value of that type that a number stands for. Nothing where the type cannot hold it: a fraction in a
 /// whole number, out of range, not finite, or Raw. Any thread.
 std::optional<Value> fromNumber(ValueType type, double number) noexcept;
