@@ -19,6 +19,7 @@
 #include "core/engine/engine.h"
 #include "core/ledger/ledger.h"
 #include "ui/motionplan/motionplan_view.h"
+#include "ui/coach/coach_view.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
 #include "ui/shell/first_paint.h"
@@ -130,6 +131,7 @@ int main(int argc, char** argv) {
     ui::SystemRegistry systems;
     systems.add(std::make_unique<ui::ThunderbotsView>(ledger));
     systems.add(std::make_unique<ui::MotionplanView>());
+    systems.add(std::make_unique<ui::CoachView>());
     ui::Bench bench(client, systems, settings);
     ui::StopFilter stopFilter([&bench] { return bench.isActive(); });
     QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client,

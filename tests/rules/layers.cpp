@@ -8,7 +8,11 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 32> kUiValueHeaders{
+constexpr std::array<std::string_view, 36> kUiValueHeaders{
+    "core/coach/commands.h",
+    "core/coach/snapshot.h",
+    "core/coach/traffic.h",
+    "core/coach/wire/velocity.h",
     "core/link/link_uri.h",
     "core/link/sim_action.h",
     "core/motionplan/commands.h",

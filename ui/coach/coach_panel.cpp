@@ -1,0 +1,325 @@
+#include "ui/coach/coach_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/engine/describe_coach.h"
+#include "ui/coach/chart_view.h"
+#include "ui/coach/coach_view.h"
+#include "ui/coach/conversation_view.h"
+#include "ui/coach/helm_pad.h"
+#include "ui/shell/bench.h"
+#include "ui/widgets/tokens.h"
+
+namespace kickstand::ui {
+
+using namespace coach;
+
+namespace {
+
+constexpr int kMoraleSize = 48;
+constexpr int kMostTeams = 255;
+
+QLabel* label(const char* name, int size, QWidget* parent) {
+    auto* made = new QLabel(parent);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setFont(textFont(size));
+    made->setWordWrap(true);
+    made->setTextFormat(Qt::PlainText);
+    return made;
+}
+
+QVBoxLayout* column() {
+    auto* made = new QVBoxLayout;
+    made->setSpacing(metrics::kGap);
+    return made;
+}
+
+}  // namespace
+
+CoachPanel::CoachPanel(Bench& bench, QWidget* parent) : Panel(bench, parent) {
+    empty_ = label("coachEmpty", metrics::kTextSize, this);
+    body_ = new QWidget(this);
+    auto* grid = new QGridLayout(body_);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(metrics::kPadding);
+    grid->addLayout(buildBoats(), 0, 0);
+    grid->addLayout(buildHelm(), 0, 1);
+    grid->addLayout(buildCrew(), 0, 2);
+    chart_ = new ChartView(body_);
+    conversation_ = new ConversationView(bench, body_);
+    grid->addWidget(chart_, 1, 0, 1, 3);
+    grid->addWidget(conversation_, 2, 0, 1, 3);
+    grid->setColumnStretch(0, 2);
+    grid->setColumnStretch(2, 2);
+    grid->setRowStretch(2, 1);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
+    all->addWidget(empty_);
+    all->addWidget(body_);
+    connect(&bench, &Bench::changed, this, &CoachPanel::refresh);
+    refresh();
+}
+
+QPushButton* CoachPanel::button(const char* name, const QString& text, const Command& command) {
+    auto* made = new QPushButton(text, body_);
+    made->setObjectName(QString::fromLatin1(name));
+    connect(made, &QPushButton::clicked, this, [this, command] { submit(command); });
+    return made;
+}
+
+QVBoxLayout* CoachPanel::buildBoats() {
+    team_ = new QSpinBox(body_);
+    team_->setObjectName(QStringLiteral("coachTeam"));
+    team_->setRange(0, kMostTeams);
+    team_->setAccessibleName(tr("Team of this COACH"));
+    color_ = new QComboBox(body_);
+    color_->setObjectName(QStringLiteral("coachColor"));
+    color_->setAccessibleName(tr("Team color"));
+    color_->addItems({tr("Red"), tr("Blue")});
+    start_ = new QPushButton(tr("Start up"), body_);
+    start_->setObjectName(QStringLiteral("coachStart"));
+    connect(start_, &QPushButton::clicked, this, [this] {
+        submit(StartCoach{static_cast<Team>(team_->value()),
+                          static_cast<wire::TeamColor>(color_->currentIndex())});
+    });
+    end_ = button("coachEnd", tr("End"), EndRole{});
+    boats_ = new QTableWidget(0, 4, body_);
+    boats_->setObjectName(QStringLiteral("coachBoats"));
+    boats_->setAccessibleName(tr("Boats that are heard"));
+    boats_->setHorizontalHeaderLabels({tr("TOWRP"), tr("Strength"), tr("Heard"), tr("State")});
+    boats_->verticalHeader()->hide();
+    boats_->horizontalHeader()->setStretchLastSection(true);
+    boats_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    boats_->setSelectionMode(QAbstractItemView::SingleSelection);
+    boats_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    boats_->setTabKeyNavigation(false);
+    boats_->setMinimumHeight(96);
+    pair_ = new QPushButton(tr("Pair"), body_);
+    pair_->setObjectName(QStringLiteral("coachPair"));
+    connect(pair_, &QPushButton::clicked, this, &CoachPanel::pairChosen);
+    mayJettison_ = new QCheckBox(tr("Unlock"), body_);
+    mayJettison_->setObjectName(QStringLiteral("coachMayJettison"));
+    mayJettison_->setAccessibleName(tr("Unlock jettison"));
+    jettison_ = button("coachJettison", tr("Jettison the crew"), Jettison{});
+    connect(mayJettison_, &QCheckBox::toggled, this, &CoachPanel::refresh);
+    auto* role = new QHBoxLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{team_, color_, start_, end_})
+        role->addWidget(widget);
+    auto* choice = new QHBoxLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{pair_, mayJettison_, jettison_})
+        choice->addWidget(widget);
+    QVBoxLayout* made = column();
+    made->addLayout(role);
+    made->addWidget(boats_, 1);
+    made->addLayout(choice);
+    return made;
+}
+
+QVBoxLayout* CoachPanel::buildHelm() {
+    helm_ = new HelmPad(body_);
+    helm_->setObjectName(QStringLiteral("coachHelm"));
+    connect(helm_, &HelmPad::steered, this, [this](int forward, int turn) {
+        submit(Steer{{forward, turn}, true});
+    });
+    told_ = label("coachTold", metrics::kSmallTextSize, body_);
+    QVBoxLayout* made = column();
+    made->addWidget(helm_, 1);
+    made->addWidget(told_);
+    return made;
+}
+
+QVBoxLayout* CoachPanel::buildCrew() {
+    morale_ = label("coachMorale", metrics::kTextSize, body_);
+    morale_->setFont(numberFont(kMoraleSize, QFont::Bold));
+    mutiny_ = label("coachMutiny", metrics::kTextSize, body_);
+    actions_ = new QWidget(body_);
+    actionRow_ = new QHBoxLayout(actions_);
+    actionRow_->setContentsMargins(0, 0, 0, 0);
+    suppress_ = button("coachSuppress", tr("Suppress mutiny"), Suppress{});
+    names_ = new QLineEdit(body_);
+    names_->setObjectName(QStringLiteral("coachSeries"));
+    names_->setAccessibleName(tr("Actions that quell a mutiny, in their order"));
+    names_->setToolTip(tr("One to eight names with commas between them; Enter takes them"));
+    connect(names_, &QLineEdit::returnPressed, this, &CoachPanel::nameSeries);
+    digital_ = button("coachDigital", tr("Free digital"), FreeDigital{});
+    percent_ = new QSpinBox(body_);
+    percent_->setObjectName(QStringLiteral("coachPercent"));
+    percent_->setRange(-100, 100);
+    percent_->setSuffix(tr(" %"));
+    percent_->setAccessibleName(tr("Free analog, in percent"));
+    analog_ = new QPushButton(tr("Free analog"), body_);
+    analog_->setObjectName(QStringLiteral("coachAnalog"));
+    connect(analog_, &QPushButton::clicked, this, [this] { submit(FreeAnalog{percent_->value()}); });
+    auto* crew = new QHBoxLayout;
+    crew->addWidget(suppress_);
+    crew->addWidget(names_, 1);
+    auto* free = new QHBoxLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{digital_, percent_, analog_})
+        free->addWidget(widget);
+    QVBoxLayout* made = column();
+    made->addWidget(morale_);
+    made->addWidget(mutiny_);
+    made->addWidget(actions_);
+    made->addLayout(crew);
+    made->addLayout(free);
+    made->addStretch(1);
+    return made;
+}
+
+void CoachPanel::buildSeries(const std::vector<std::string>& actions) {
+    if (actions == series_) return;
+    series_ = actions;
+    QStringList names;
+    for (const std::string& action : actions)
+        names << QString::fromStdString(action);
+    names_->setText(names.join(QStringLiteral(", ")));
+    for (QPushButton* old : actionButtons_)
+        old->deleteLater();
+    actionButtons_.clear();
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+        auto* made = new QPushButton(QString::fromStdString(actions[i]), actions_);
+        made->setObjectName(QStringLiteral("coachAction%1").arg(i));
+        connect(made, &QPushButton::clicked, this, [this, i] { submit(Act{i}); });
+        actionRow_->addWidget(made);
+        actionButtons_.push_back(made);
+    }
+}
+
+void CoachPanel::nameSeries() {
+    SetSeries series;
+    for (const QString& name : names_->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
+        series.actions.push_back(name.trimmed().toStdString());
+    submit(series);
+}
+
+void CoachPanel::submit(const Command& command) {
+    bench().submit(SystemCommand{command});
+}
+
+void CoachPanel::closed() {
+    helm_->letGo();
+}
+
+void CoachPanel::pairChosen() {
+    const int row = boats_->currentRow();
+    const QTableWidgetItem* item = row < 0 ? nullptr : boats_->item(row, 0);
+    if (item != nullptr) submit(Pair{static_cast<Team>(item->data(Qt::UserRole).toInt())});
+}
+
+void CoachPanel::refresh() {
+    const Snapshot* snapshot = coachOf(bench().session());
+    const bool ready = snapshot != nullptr && snapshot->link == LinkState::Running;
+    body_->setVisible(ready);
+    empty_->setVisible(!ready);
+    if (snapshot == nullptr) {
+        empty_->setText(
+            tr("No radio module of a COACH is connected. Connect a serial port with an XBee adapter, or "
+               "simulated boats."));
+        return;
+    }
+    if (!ready) {
+        empty_->setText(
+            tr("%1. The Radio panel looks for the module and sets it up.").arg(describe(snapshot->link)));
+        return;
+    }
+    buildSeries(snapshot->series);
+    showBoats(*snapshot);
+    showHelm(*snapshot);
+    showCrew(*snapshot);
+    showChart(*snapshot);
+    conversation_->show(snapshot->entries);
+}
+
+void CoachPanel::showBoats(const Snapshot& snapshot) {
+    const CoachView& view = snapshot.coach;
+    const bool off = !snapshot.role;
+    const Team own = wire::teamOf(snapshot.radio ? snapshot.radio->settings.address : std::uint16_t{0});
+    if (off && !team_->hasFocus()) team_->setValue(own);
+    for (QWidget* widget : std::initializer_list<QWidget*>{team_, color_, start_})
+        widget->setEnabled(off);
+    end_->setEnabled(!off);
+    boats_->setRowCount(static_cast<int>(view.boats.size()));
+    for (int row = 0; row < boats_->rowCount(); ++row) {
+        const HeardBoat& boat = view.boats[static_cast<std::size_t>(row)];
+        const QString state = boat.team == view.boat && view.state == CoachState::Paired
+                                  ? tr("paired with this COACH")
+                              : boat.coach ? tr("obeys COACH %1").arg(*boat.coach)
+                                           : tr("available");
+        const QStringList texts{QString::number(boat.team), tr("%1 dBm").arg(boat.rssi_dBm),
+                                tr("%1 s ago").arg(seconds(snapshot.time - boat.heard), 0, 'f', 0), state};
+        for (int place = 0; place < texts.size(); ++place) {
+            QTableWidgetItem* item = boats_->item(row, place);
+            if (item == nullptr) boats_->setItem(row, place, item = new QTableWidgetItem);
+            if (item->text() != texts[place]) item->setText(texts[place]);
+            item->setData(Qt::UserRole, int{boat.team});
+        }
+    }
+    const bool paired = view.state == CoachState::Paired;
+    pair_->setEnabled(view.state == CoachState::NotPaired && boats_->rowCount() > 0);
+    mayJettison_->setEnabled(paired);
+    if (!paired) mayJettison_->setChecked(false);
+    jettison_->setEnabled(paired && mayJettison_->isChecked());
+}
+
+void CoachPanel::showHelm(const Snapshot& snapshot) {
+    const CoachView& view = snapshot.coach;
+    const bool paired = view.state == CoachState::Paired;
+    if (!paired || bench().client().isStopped()) helm_->letGo();
+    helm_->setEnabled(paired);
+    const bool answered = view.answered == view.sent;
+    helm_->setTold(paired ? view.sent : std::nullopt, answered);
+    if (!paired) {
+        told_->setText(tr("The helm works once a boat is paired."));
+    } else if (view.sent) {
+        told_->setText(
+            tr("Told: %1, %2").arg(describe(*view.sent), answered ? tr("answered") : tr("not answered yet")));
+    }
+    for (QWidget* widget : std::initializer_list<QWidget*>{digital_, percent_, analog_})
+        widget->setEnabled(paired);
+}
+
+void CoachPanel::showCrew(const Snapshot& snapshot) {
+    const CoachView& view = snapshot.coach;
+    morale_->setText(view.morale ? signedNumber(*view.morale) : QStringLiteral("–"));
+    morale_->setAccessibleName(tr("Morale"));
+    const bool paired = view.state == CoachState::Paired;
+    suppress_->setEnabled(paired);
+    for (std::size_t i = 0; i < actionButtons_.size(); ++i)
+        actionButtons_[i]->setEnabled(view.mutiny.has_value() && !view.mutiny->suppressed);
+    if (!view.mutiny) {
+        mutiny_->setText(paired ? tr("The crew obeys.") : QString());
+        return;
+    }
+    const double left_s = seconds(view.mutiny->until - snapshot.time);
+    mutiny_->setText(view.mutiny->suppressed ? tr("MUTINY: suppressing, %1 s left").arg(left_s, 0, 'f', 1)
+                                             : tr("MUTINY: %1 s left, actions done: %2 of %3")
+                                                   .arg(left_s, 0, 'f', 1)
+                                                   .arg(view.mutiny->done)
+                                                   .arg(snapshot.series.size()));
+}
+
+void CoachPanel::showChart(const Snapshot& snapshot) {
+    std::vector<ChartState> states;
+    for (const CoachState state :
+         {CoachState::Startup, CoachState::NotPaired, CoachState::Asserting, CoachState::Paired})
+        states.push_back({describe(state), {}, state == snapshot.coach.state});
+    std::vector<ChartTimer> timers;
+    for (const RunningTimer& timer : snapshot.coach.timers) {
+        const double left_s = std::max(0.0, seconds(timer.due - snapshot.time));
+        timers.push_back({describe(timer.kind), 1 - left_s / seconds(timer.span), left_s});
+    }
+    chart_->show(std::move(states), std::move(timers));
+    setNote(snapshot.role == wire::Role::Coach ? tr("COACH %1").arg(snapshot.coach.team) : QString());
+}
+
+}  // namespace kickstand::ui

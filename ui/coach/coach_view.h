@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/coach/snapshot.h"
+#include "ui/shell/system_view.h"
+
+namespace kickstand::ui {
+
+/// The COACH and TOWRP part of a session's snapshot; null where it is of another system, or there is none.
+const coach::Snapshot* coachOf(const SessionSnapshot* session);
+
+/// What the shell shows of COACHes and TOWRPs, and their panels.
+class CoachView final : public SystemView {
+  public:
+    QString name() const override;
+    std::vector<PanelEntry> panels() const override;
+    std::vector<LinkOffer> offers() const override;
+    bool owns(const SystemSnapshot& system) const override;
+    bool isMoving(const SystemSnapshot& system) const override;
+    bool isActive(const SystemSnapshot& system) const override;
+    std::vector<StateText> states(const SessionSnapshot& session) const override;
+    const Error* obstacle(const SystemSnapshot& system) const override;
+    QStringList facts(const SessionSnapshot& session) const override;
+    std::vector<Hazard> hazards(const SystemSnapshot& system) const override;
+    QString simulatedText(const LinkUri& uri) const override;
+    std::vector<int> chosenUnits() const override;
+    QString actionText(const SimAction& action) const override;
+    std::vector<std::pair<QString, double>> actionChoices(const SimAction& action) const override;
+    QString unitText(int unit) const override;
+};
+
+}  // namespace kickstand::ui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include "core/coach/traffic.h"
+
+namespace kickstand::ui {
+
+class Bench;
+
+/// The newest packets in words, the last one at the bottom: when, from or to whom, what, and what became of
+/// it.
+class ConversationView final : public QPlainTextEdit {
+    Q_OBJECT
+  public:
+    explicit ConversationView(Bench& bench, QWidget* parent = nullptr);
+
+    void show(const std::shared_ptr<const coach::TrafficEntries>& entries);
+
+  private:
+    QString lineOf(const coach::TrafficEntry& entry) const;
+
+    Bench& bench_;
+    std::shared_ptr<const coach::TrafficEntries> shown_;
+};
+
+}  // namespace kickstand::ui

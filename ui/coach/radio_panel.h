@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/coach/commands.h"
+#include "core/coach/snapshot.h"
+#include "ui/shell/panel.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace kickstand::ui {
+
+/// The radio module: found at whatever speed it is, one draft of its settings, applied and read back.
+class RadioPanel final : public Panel {
+    Q_OBJECT
+  public:
+    explicit RadioPanel(Bench& bench, QWidget* parent = nullptr);
+
+  private:
+    void build();
+    void refresh();
+    void usePreset();
+    void showDraft(const coach::RadioSettings& settings);
+    coach::RadioSettings draft() const;
+    void showChanges();
+    void submit(const coach::Command& command);
+
+    QLabel* state_;
+    QPushButton* find_;
+    QComboBox* preset_;
+    QSpinBox* number_;
+    QPushButton* use_;
+    QSpinBox* address_;
+    QSpinBox* channel_;
+    QSpinBox* pan_;
+    QComboBox* mode_;
+    QComboBox* baud_;
+    QLineEdit* name_;
+    QLabel* changes_;
+    QPushButton* apply_;
+    QPushButton* undo_;
+    std::optional<coach::RadioSettings> read_;  ///< What the draft was last filled from.
+};
+
+}  // namespace kickstand::ui
