@@ -70,7 +70,7 @@ CoachPanel::CoachPanel(Bench& bench, QWidget* parent) : Panel(bench, parent) {
     refresh();
 }
 
-QPushButton* CoachPanel::button(const char* name, const QString& text, const Command& command) {
+QPushButton* CoachPanel::button(const char* name, const QString& text, const coach::Command& command) {
     auto* made = new QPushButton(text, body_);
     made->setObjectName(QString::fromLatin1(name));
     connect(made, &QPushButton::clicked, this, [this, command] { submit(command); });
@@ -202,7 +202,7 @@ void CoachPanel::nameSeries() {
     submit(series);
 }
 
-void CoachPanel::submit(const Command& command) {
+void CoachPanel::submit(const coach::Command& command) {
     bench().submit(SystemCommand{command});
 }
 

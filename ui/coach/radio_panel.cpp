@@ -118,7 +118,7 @@ void RadioPanel::build() {
     all->addStretch(1);
 }
 
-void RadioPanel::submit(const Command& command) {
+void RadioPanel::submit(const coach::Command& command) {
     bench().submit(SystemCommand{command});
 }
 

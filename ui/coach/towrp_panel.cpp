@@ -92,7 +92,7 @@ void TowrpPanel::build() {
     all->addWidget(body_);
 }
 
-void TowrpPanel::submit(const Command& command) {
+void TowrpPanel::submit(const coach::Command& command) {
     bench().submit(SystemCommand{command});
 }
 
