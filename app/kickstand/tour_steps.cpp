@@ -39,6 +39,7 @@ class Steps final : public TourMaker {
         addSmallSteps(*this);
         leaving();
         addMotionplanSteps(*this);
+        addCoachSteps(*this);
         return std::move(*this).steps();
     }
 

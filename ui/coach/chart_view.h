@@ -9,7 +9,6 @@ namespace kickstand::ui {
 /// One state of a chart.
 struct ChartState {
     QString name;
-    QString leaves;  ///< What leads on from it, in a word or two.
     bool current = false;
 };
 /// A timer that runs: what it does, and which part of it is over (0-1).

@@ -13,10 +13,12 @@
 #include <algorithm>
 
 #include "core/engine/describe_coach.h"
+#include "core/telemetry/store.h"
 #include "ui/coach/chart_view.h"
 #include "ui/coach/coach_view.h"
 #include "ui/coach/conversation_view.h"
 #include "ui/coach/helm_pad.h"
+#include "ui/coach/morale_view.h"
 #include "ui/shell/bench.h"
 #include "ui/widgets/tokens.h"
 
@@ -26,7 +28,9 @@ using namespace coach;
 
 namespace {
 
-constexpr int kMoraleSize = 48;
+/// What the morale's history shows: a minute, in pieces of half a second.
+constexpr std::size_t kHistoryPieces = 120;
+constexpr Duration kHistoryPiece = std::chrono::milliseconds(500);
 constexpr int kMostTeams = 255;
 
 QLabel* label(const char* name, int size, QWidget* parent) {
@@ -57,6 +61,7 @@ CoachPanel::CoachPanel(Bench& bench, QWidget* parent) : Panel(bench, parent) {
     grid->addLayout(buildCrew(), 0, 2);
     chart_ = new ChartView(body_);
     conversation_ = new ConversationView(bench, body_);
+    conversation_->setObjectName(QStringLiteral("coachConversation"));
     grid->addWidget(chart_, 1, 0, 1, 3);
     grid->addWidget(conversation_, 2, 0, 1, 3);
     grid->setColumnStretch(0, 2);
@@ -107,6 +112,7 @@ QVBoxLayout* CoachPanel::buildBoats() {
     pair_ = new QPushButton(tr("Pair"), body_);
     pair_->setObjectName(QStringLiteral("coachPair"));
     connect(pair_, &QPushButton::clicked, this, &CoachPanel::pairChosen);
+    connect(boats_, &QTableWidget::itemSelectionChanged, this, &CoachPanel::offerPair);
     mayJettison_ = new QCheckBox(tr("Unlock"), body_);
     mayJettison_->setObjectName(QStringLiteral("coachMayJettison"));
     mayJettison_->setAccessibleName(tr("Unlock jettison"));
@@ -129,7 +135,9 @@ QVBoxLayout* CoachPanel::buildHelm() {
     helm_ = new HelmPad(body_);
     helm_->setObjectName(QStringLiteral("coachHelm"));
     connect(helm_, &HelmPad::steered, this, [this](int forward, int turn) {
-        submit(Steer{{forward, turn}, true});
+        const Snapshot* snapshot = coachOf(bench().session());
+        if (snapshot != nullptr && snapshot->coach.state == CoachState::Paired)
+            submit(Steer{{forward, turn}, true});
     });
     told_ = label("coachTold", metrics::kSmallTextSize, body_);
     QVBoxLayout* made = column();
@@ -139,8 +147,8 @@ QVBoxLayout* CoachPanel::buildHelm() {
 }
 
 QVBoxLayout* CoachPanel::buildCrew() {
-    morale_ = label("coachMorale", metrics::kTextSize, body_);
-    morale_->setFont(numberFont(kMoraleSize, QFont::Bold));
+    morale_ = new MoraleView(body_);
+    morale_->setObjectName(QStringLiteral("coachMorale"));
     mutiny_ = label("coachMutiny", metrics::kTextSize, body_);
     actions_ = new QWidget(body_);
     actionRow_ = new QHBoxLayout(actions_);
@@ -210,10 +218,19 @@ void CoachPanel::closed() {
     helm_->letGo();
 }
 
+std::optional<Team> CoachPanel::chosenBoat() const {
+    const QList<QTableWidgetItem*> chosen = boats_->selectedItems();
+    if (chosen.isEmpty()) return std::nullopt;
+    return static_cast<Team>(chosen.front()->data(Qt::UserRole).toInt());
+}
+
 void CoachPanel::pairChosen() {
-    const int row = boats_->currentRow();
-    const QTableWidgetItem* item = row < 0 ? nullptr : boats_->item(row, 0);
-    if (item != nullptr) submit(Pair{static_cast<Team>(item->data(Qt::UserRole).toInt())});
+    if (const std::optional<Team> boat = chosenBoat()) submit(Pair{*boat});
+}
+
+void CoachPanel::offerPair() {
+    const Snapshot* snapshot = coachOf(bench().session());
+    pair_->setEnabled(snapshot != nullptr && snapshot->coach.state == CoachState::NotPaired && chosenBoat());
 }
 
 void CoachPanel::refresh() {
@@ -241,13 +258,26 @@ void CoachPanel::refresh() {
 }
 
 void CoachPanel::showBoats(const Snapshot& snapshot) {
-    const CoachView& view = snapshot.coach;
+    const coach::CoachView& view = snapshot.coach;
     const bool off = !snapshot.role;
     const Team own = wire::teamOf(snapshot.radio ? snapshot.radio->settings.address : std::uint16_t{0});
     if (off && !team_->hasFocus()) team_->setValue(own);
     for (QWidget* widget : std::initializer_list<QWidget*>{team_, color_, start_})
         widget->setEnabled(off);
     end_->setEnabled(!off);
+    fillBoats(snapshot);
+    const bool paired = view.state == CoachState::Paired;
+    offerPair();
+    mayJettison_->setEnabled(paired);
+    if (!paired) mayJettison_->setChecked(false);
+    jettison_->setEnabled(paired && mayJettison_->isChecked());
+}
+
+void CoachPanel::fillBoats(const Snapshot& snapshot) {
+    const coach::CoachView& view = snapshot.coach;
+    // A boat that is heard for the first time moves the others: the choice stays with its team.
+    const std::optional<Team> chosen = chosenBoat();
+    const QSignalBlocker quiet(boats_);
     boats_->setRowCount(static_cast<int>(view.boats.size()));
     for (int row = 0; row < boats_->rowCount(); ++row) {
         const HeardBoat& boat = view.boats[static_cast<std::size_t>(row)];
@@ -263,16 +293,12 @@ void CoachPanel::showBoats(const Snapshot& snapshot) {
             if (item->text() != texts[place]) item->setText(texts[place]);
             item->setData(Qt::UserRole, int{boat.team});
         }
+        if (chosen == boat.team) boats_->selectRow(row);
     }
-    const bool paired = view.state == CoachState::Paired;
-    pair_->setEnabled(view.state == CoachState::NotPaired && boats_->rowCount() > 0);
-    mayJettison_->setEnabled(paired);
-    if (!paired) mayJettison_->setChecked(false);
-    jettison_->setEnabled(paired && mayJettison_->isChecked());
 }
 
 void CoachPanel::showHelm(const Snapshot& snapshot) {
-    const CoachView& view = snapshot.coach;
+    const coach::CoachView& view = snapshot.coach;
     const bool paired = view.state == CoachState::Paired;
     if (!paired || bench().client().isStopped()) helm_->letGo();
     helm_->setEnabled(paired);
@@ -288,10 +314,26 @@ void CoachPanel::showHelm(const Snapshot& snapshot) {
         widget->setEnabled(paired);
 }
 
+std::vector<float> CoachPanel::moraleHistory(const Snapshot& snapshot) const {
+    std::vector<float> history;
+    const SessionSnapshot* session = bench().session();
+    if (!snapshot.coach.boat || session->telemetry == nullptr) return history;
+    const TimeSeries* series = session->telemetry->find(
+        {std::uint16_t{*snapshot.coach.boat}, static_cast<std::uint16_t>(Signal::Morale)});
+    std::vector<Column> columns(kHistoryPieces);
+    const TimePoint start = snapshot.time - kHistoryPiece * static_cast<int>(kHistoryPieces);
+    if (series == nullptr || !series->columns(start, kHistoryPiece, columns)) return history;
+    history.reserve(columns.size());
+    for (const Column& column : columns)
+        history.push_back(column.last);
+    return history;
+}
+
 void CoachPanel::showCrew(const Snapshot& snapshot) {
-    const CoachView& view = snapshot.coach;
-    morale_->setText(view.morale ? signedNumber(*view.morale) : QStringLiteral("–"));
-    morale_->setAccessibleName(tr("Morale"));
+    const coach::CoachView& view = snapshot.coach;
+    std::optional<double> left;
+    if (view.mutiny) left = seconds(view.mutiny->until - snapshot.time) / seconds(kMutinySpan);
+    morale_->show(view.morale, left, moraleHistory(snapshot));
     const bool paired = view.state == CoachState::Paired;
     suppress_->setEnabled(paired);
     for (std::size_t i = 0; i < actionButtons_.size(); ++i)
@@ -312,7 +354,7 @@ void CoachPanel::showChart(const Snapshot& snapshot) {
     std::vector<ChartState> states;
     for (const CoachState state :
          {CoachState::Startup, CoachState::NotPaired, CoachState::Asserting, CoachState::Paired})
-        states.push_back({describe(state), {}, state == snapshot.coach.state});
+        states.push_back({describe(state), state == snapshot.coach.state});
     std::vector<ChartTimer> timers;
     for (const RunningTimer& timer : snapshot.coach.timers) {
         const double left_s = std::max(0.0, seconds(timer.due - snapshot.time));

@@ -19,6 +19,7 @@ namespace kickstand::ui {
 class ChartView;
 class ConversationView;
 class HelmPad;
+class MoraleView;
 
 /// The COACH: startup, the boats that are heard, the helm, morale and mutiny.
 class CoachPanel final : public Panel {
@@ -35,9 +36,13 @@ class CoachPanel final : public Panel {
     void refresh();
     void showBoats(const coach::Snapshot& snapshot);
     void showHelm(const coach::Snapshot& snapshot);
+    std::vector<float> moraleHistory(const coach::Snapshot& snapshot) const;
     void showCrew(const coach::Snapshot& snapshot);
     void showChart(const coach::Snapshot& snapshot);
+    void fillBoats(const coach::Snapshot& snapshot);
+    std::optional<coach::Team> chosenBoat() const;
     void pairChosen();
+    void offerPair();
     void nameSeries();
     void submit(const coach::Command& command);
     QPushButton* button(const char* name, const QString& text, const coach::Command& command);
@@ -55,7 +60,7 @@ class CoachPanel final : public Panel {
     QPushButton* digital_;
     QSpinBox* percent_;
     QPushButton* analog_;
-    QLabel* morale_;
+    MoraleView* morale_;
     QLabel* mutiny_;
     QWidget* actions_;
     QHBoxLayout* actionRow_;

@@ -51,6 +51,8 @@ void HelmPad::setTold(const std::optional<Velocity>& velocity, bool answered) {
 
 void HelmPad::ask(const Velocity& velocity) {
     if (velocity == asked_) return;
+    // It was at rest until now, which the session wants to hear before anything that is held.
+    if (asked_.isZero()) emit steered(0, 0);
     asked_ = velocity;
     setAccessibleDescription(describe(velocity));
     update();

@@ -25,7 +25,7 @@ class HelmPad final : public QWidget {
     QSize minimumSizeHint() const override { return {160, 160}; }
 
   signals:
-    /// Somebody holds it so, or has let it go.
+    /// Somebody holds it so, or has let it go. A pull begins with zero.
     void steered(int forward, int turn);
 
   protected:

@@ -99,6 +99,8 @@ void RadioPanel::build() {
     form->addRow(tr("Mode"), mode_);
     form->addRow(tr("Baud"), baud_);
     form->addRow(tr("Node name"), name_);
+    for (QWidget* field : std::initializer_list<QWidget*>{address_, channel_, pan_, mode_, baud_, name_})
+        field->setAccessibleName(qobject_cast<QLabel*>(form->labelForField(field))->text());
     auto* presets = new QHBoxLayout;
     for (QWidget* widget : std::initializer_list<QWidget*>{preset_, number_, use_})
         presets->addWidget(widget);

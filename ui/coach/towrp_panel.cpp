@@ -76,7 +76,9 @@ void TowrpPanel::build() {
     set_->setObjectName(QStringLiteral("towrpSet"));
     mutiny_->setObjectName(QStringLiteral("towrpMutiny"));
     mutiny_->setToolTip(tr("Sets the morale to −10"));
+    empty_->setObjectName(QStringLiteral("towrpEmpty"));
     empty_->setWordWrap(true);
+    conversation_->setObjectName(QStringLiteral("towrpConversation"));
     auto* inner = new QVBoxLayout(body_);
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(metrics::kGap);
@@ -136,7 +138,7 @@ void TowrpPanel::showBoat(const Snapshot& snapshot) {
     morale_->setText(tr("Morale %1").arg(signedNumber(view.morale)));
     std::vector<ChartState> states;
     for (const TowrpState state : {TowrpState::NotPaired, TowrpState::Paired, TowrpState::Mutiny})
-        states.push_back({describe(state), {}, state == view.state});
+        states.push_back({describe(state), state == view.state});
     std::vector<ChartTimer> timers;
     for (const RunningTimer& timer : view.timers) {
         const double left_s = std::max(0.0, seconds(timer.due - snapshot.time));
