@@ -202,7 +202,7 @@ TEST_F(CoachWindow, TheArrowKeysSteerFromTheFirstPressOn) {
     auto* helm = find<ui::HelmPad>("coachHelm");
     QTest::keyPress(helm, Qt::Key_Up);
     EXPECT_TRUE(sends("af05 03 70"));
-    EXPECT_TRUE(bench->isMoving());
+    EXPECT_TRUE(waitFor([this] { return bench->isMoving(); }));
     QTest::keyPress(helm, Qt::Key_Right);
     EXPECT_TRUE(sends("af05 03 7f"));
     QTest::keyRelease(helm, Qt::Key_Up);
@@ -230,7 +230,7 @@ TEST_F(CoachWindow, StopSendsZeroAndHoldsItUntilItIsReArmed) {
     client->stop(StopReason::Person);
     ASSERT_TRUE(waitFor([this] { return packets.last() == "af05 03 00"; }));
     ASSERT_TRUE(waitFor([helm] { return helm->asked().isZero(); }));
-    EXPECT_FALSE(bench->isMoving());
+    ASSERT_TRUE(waitFor([this] { return !bench->isMoving(); }));
     client->rearm();
     ASSERT_TRUE(waitFor([this] { return !client->isStopped(); }));
     // What was held through STOP steers nothing.
@@ -268,8 +268,10 @@ TEST_F(CoachWindow, ANamedSeriesOfActionsQuellsAMutiny) {
     EXPECT_TRUE(sends("af05 00 00"));
     ASSERT_TRUE(waitFor([this] { return state()->coach.morale == -5; }));
     ASSERT_TRUE(waitFor([this] { return !find<ui::MoraleView>("coachMorale")->ring(); }));
-    const std::vector<float>& history = find<ui::MoraleView>("coachMorale")->history();
-    EXPECT_NE(std::find(history.begin(), history.end(), -5.0F), history.end());
+    ASSERT_TRUE(waitFor([this] {
+        const std::vector<float>& history = find<ui::MoraleView>("coachMorale")->history();
+        return std::find(history.begin(), history.end(), -5.0F) != history.end();
+    }));
     EXPECT_EQ(state()->coach.state, CoachState::Paired);
 }
 
