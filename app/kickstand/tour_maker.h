@@ -68,8 +68,8 @@ void addSmallSteps(TourMaker& tour);
 /// Motion plans on a simulated NXT of its own, which is let go again: written, sent, half executed, stopped,
 /// and the robot out of reach. Nothing is connected before.
 void addMotionplanSteps(TourMaker& tour);
-/// A simulated COACH and its boat, then a simulated boat of this program's own, then a fresh radio module; each
-/// is let go again. Nothing is connected before.
+/// A simulated COACH and its boat, then a simulated boat of this program's own, then a fresh radio module;
+/// each is let go again. Nothing is connected before.
 void addCoachSteps(TourMaker& tour);
 /// Parameters: read, drafted, asked about, applied, committed, proven by a reboot, compared. Robot 3 is
 /// chosen.
