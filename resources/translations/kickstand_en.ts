@@ -299,6 +299,129 @@
     </message>
 </context>
 <context>
+    <name>CoachView</name>
+    <message>
+        <source>COACH and TOWRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated COACH radio, three boats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with simulated boats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The XBee adapter of COACH 5, and boats of teams 3, 5 and 7.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated TOWRP radio, a COACH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be a simulated boat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The XBee adapter of TOWRP 5, and a COACH that drives it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated XBee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>XBee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not acknowledged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>virtual boats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>virtual radios, here %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio loss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB plug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CoachWords</name>
     <message>
         <source>connected: a radio module answers, its address is %1 (%2)</source>
@@ -4851,6 +4974,25 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::ChartView</name>
+    <message>
+        <source>State chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::ChecksPanel</name>
     <message>
         <source>Arm</source>
@@ -5012,6 +5154,157 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::CoachPanel</name>
+    <message>
+        <source>Team of this COACH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Team color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boats that are heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock jettison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jettison the crew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suppress mutiny</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions that quell a mutiny, in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One to eight names with commas between them; Enter takes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free digital</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free analog, in percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free analog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No radio module of a COACH is connected. Connect a serial port with an XBee adapter, or simulated boats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. The Radio panel looks for the module and sets it up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paired with this COACH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>obeys COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 dBm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The helm works once a boat is paired.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Told: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not answered yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crew obeys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MUTINY: suppressing, %1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MUTINY: %1 s left, actions done: %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::Connector</name>
     <message>
         <source>Enter link</source>
@@ -5063,6 +5356,29 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>&amp;Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::ConversationView</name>
+    <message>
+        <source>Conversation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packets will show here as they are sent and heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  from %2  %3  (%4 dBm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on its way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  to %2  %3  (%4)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6033,6 +6349,17 @@ Double-click or Enter says more.</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::HelmPad</name>
+    <message>
+        <source>Helm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pull, or hold the arrow keys (with Shift gently); let go to stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::HelpWindow</name>
     <message>
         <source>Kickstand help</source>
@@ -6660,6 +6987,17 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Leave them live and quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::MoraleView</name>
+    <message>
+        <source>Morale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morale of the crew, and its last minute; at −10 the crew mutinies</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7394,6 +7732,101 @@ microcontroller %3, flash %4</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::RadioPanel</name>
+    <message>
+        <source>Find the module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH of team</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP of team</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thunderbots dongle, radio 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thunderbots dongle, radio 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thunderbots robot, radio 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thunderbots robot, radio 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Team or robot of the preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Network (PAN)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed, not applied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No serial port with an XBee adapter is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Working, now at %1 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Find it: at every usual speed and in every mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2, serial number %3, firmware %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::RobotsPanel</name>
     <message>
         <source>%1 heard · %2 chosen</source>
@@ -7619,6 +8052,77 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>Not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::TowrpPanel</name>
+    <message>
+        <source>Wake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set morale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mutiny</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Team of this TOWRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crew&apos;s morale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets the morale to −10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No radio module of a TOWRP is connected. Connect a serial port with an XBee adapter, or be a simulated boat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. The Radio panel looks for the module and sets it up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not paired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>obeys COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped by itself: no velocity for a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free digital, times: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free analog: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foreign packets: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morale %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

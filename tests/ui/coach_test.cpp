@@ -146,6 +146,18 @@ class CoachWindow : public testing::Test {
         ASSERT_TRUE(waitFor([this] { return state()->coach.state == CoachState::Paired; }));
         ASSERT_TRUE(waitFor([this] { return find<ui::HelmPad>("coachHelm")->isEnabled(); }));
     }
+    /// Lets the crew of the own boat mutiny, and pairs with it first where the last mutiny took it.
+    bool mutiny() {
+        const auto paired = [this] { return state()->coach.state == CoachState::Paired; };
+        if (!paired()) {
+            click("coachEnd");
+            if (!waitFor([this] { return find<QAbstractButton>("coachStart")->isEnabled(); })) return false;
+            click("coachStart");
+            if (!waitFor(paired)) return false;
+        }
+        bench->submit(SimPerform{"morale", 5, -10});
+        return waitFor([this] { return find<ui::MoraleView>("coachMorale")->ring().has_value(); });
+    }
     const coach::Snapshot* state() { return ui::coachOf(bench->session()); }
     template <class Widget>
     Widget* find(const char* name) {
@@ -263,13 +275,16 @@ TEST_F(CoachWindow, ANamedSeriesOfActionsQuellsAMutiny) {
         waitFor([this] { return window->findChild<QWidget*>(QStringLiteral("coachAction2")) == nullptr; }));
     EXPECT_EQ(find<QAbstractButton>("coachAction0")->text(), QStringLiteral("Rum"));
     EXPECT_FALSE(find<QAbstractButton>("coachAction0")->isEnabled());
-    bench->submit(SimPerform{"morale", 5, -10});
-    ASSERT_TRUE(waitFor([this] { return find<ui::MoraleView>("coachMorale")->ring().has_value(); }));
-    EXPECT_TRUE(text("coachMutiny").contains(QStringLiteral("MUTINY")));
-    click("coachAction0");
-    click("coachAction1");
-    EXPECT_TRUE(sends("af05 00 00"));
-    ASSERT_TRUE(waitFor([this] { return state()->coach.morale == -5; }));
+    // A mutiny lasts three seconds: a busy machine may need another one.
+    while (state()->coach.morale != -5) {
+        ASSERT_TRUE(mutiny());
+        EXPECT_TRUE(text("coachMutiny").contains(QStringLiteral("MUTINY")));
+        find<QAbstractButton>("coachAction0")->click();
+        find<QAbstractButton>("coachAction1")->click();
+        ASSERT_TRUE(waitFor(
+            [this] { return state()->coach.morale == -5 || state()->coach.state != CoachState::Paired; }));
+    }
+    EXPECT_TRUE(packets.holds("af05 00 00"));
     ASSERT_TRUE(waitFor([this] { return !find<ui::MoraleView>("coachMorale")->ring(); }));
     ASSERT_TRUE(waitFor([this] {
         const std::vector<float>& history = find<ui::MoraleView>("coachMorale")->history();
