@@ -24,6 +24,10 @@ endfunction()
 # The tests labelled "threads": all that the thread sanitizer's build needs.
 add_custom_target(thread_tests)
 
+# Tests that run a window or a program work in real time, with threads that must all come to their turn: on a busy
+# machine they would measure the machine.
+set(KICKSTAND_BUSY_LABELS ui program)
+
 # kickstand_test(NAME SOURCES file... DEPENDS target... [LABELS label...] [LAUNCHER command...] [ENVIRONMENT VAR=VALUE...])
 # One GoogleTest program, registered with ctest as one test of the same name.
 function(kickstand_test name)
@@ -32,6 +36,11 @@ function(kickstand_test name)
   target_link_libraries(${name} PRIVATE kickstand_options ${ARG_DEPENDS} GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${ARG_LAUNCHER} $<TARGET_FILE:${name}>)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
+  foreach(label IN LISTS KICKSTAND_BUSY_LABELS)
+    if(label IN_LIST ARG_LABELS)
+      set_tests_properties(${name} PROPERTIES PROCESSORS 2)
+    endif()
+  endforeach()
   if("threads" IN_LIST ARG_LABELS)
     add_dependencies(thread_tests ${name})
   endif()

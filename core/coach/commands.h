@@ -27,7 +27,9 @@ struct StartTowrp {
 
 /// Plays nothing any more, at once; a boat that was paired stops by its own timer. Done as well where no role
 /// is played.
-struct EndRole {};
+struct EndRole {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// As the COACH: asks a boat that says it is available to obey. Answered when it was asked; events tell how
 /// it went. RobotNotAlive where it is not heard; BadArgument unless not paired.
@@ -60,6 +62,7 @@ struct Act {
 
 /// Names the actions of the series, in their order: one to eight, none empty. BadArgument.
 struct SetSeries {
+    static constexpr bool kMovesNothing = true;
     std::vector<std::string> actions;
 };
 
@@ -68,16 +71,20 @@ struct Jettison {};
 
 /// As the TOWRP: the crew's morale; −10 is a mutiny. NotPaired, OutOfRange, BadArgument during a mutiny.
 struct SetMorale {
+    static constexpr bool kMovesNothing = true;
     int morale = 0;
 };
 
 /// Looks for the radio module at every usual speed and in every mode. Answered when it has been found and
 /// read, which can take some seconds. TimedOut; RoleRunning; RequestPending while this or the next runs.
-struct FindRadio {};
+struct FindRadio {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// Sets the radio module, makes it last, and reads it back. Answered when that is done. RadioNotReady before
 /// it has been found; FindRadio's errors; BadArgument, OutOfRange, RadioDiffers.
 struct ApplyRadio {
+    static constexpr bool kMovesNothing = true;
     RadioSettings settings;
 };
 

@@ -25,4 +25,14 @@ using SystemEvent = std::variant<thunderbots::Event, motionplan::Event, coach::E
 using SystemSnapshot =
     std::variant<thunderbots::Snapshot, motionplan::Snapshot, coach::Snapshot, smartdevice::Snapshot>;
 
+/// Whether a command may set something in motion, charge it or arm it. Each may that does not say
+/// `kMovesNothing` of itself. Any thread.
+inline bool mayMove(const SystemCommand& command) {
+    const auto ofOne = []<class One>(const One&) {
+        if constexpr (requires { One::kMovesNothing; }) return !One::kMovesNothing;
+        return true;
+    };
+    return std::visit([&](const auto& system) { return std::visit(ofOne, system); }, command);
+}
+
 }  // namespace kickstand

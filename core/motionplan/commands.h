@@ -19,6 +19,7 @@ namespace kickstand::motionplan {
 /// Puts a plan into an empty slot (protocol 4.1). Its slot is asked for first where it is not known.
 /// OutOfRange, NoMovementCode: planBytes().
 struct CreatePlan {
+    static constexpr bool kMovesNothing = true;
     int plan = 1;  ///< 1-254.
     int slot = 0;  ///< 0-4.
     std::vector<wire::Movement> movements;
@@ -26,6 +27,7 @@ struct CreatePlan {
 
 /// Replaces the plan of a slot, which has to have this ID (protocol 4.3).
 struct UpdatePlan {
+    static constexpr bool kMovesNothing = true;
     int plan = 1;
     int slot = 0;
     std::vector<wire::Movement> movements;
@@ -39,10 +41,13 @@ struct ExecutePlan {
 };
 
 /// Stops what executes (protocol 4.2).
-struct StopPlan {};
+struct StopPlan {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// Asks which plan is in a slot (protocol 4.6).
 struct QuerySlot {
+    static constexpr bool kMovesNothing = true;
     int slot = 0;
 };
 
@@ -55,12 +60,15 @@ struct AdjustSpeed {
 
 /// Sets the plan that the robot starts when its connection is lost (protocol 4.9).
 struct SetTrigger {
+    static constexpr bool kMovesNothing = true;
     int plan = 1;
     std::vector<wire::Movement> movements;
 };
 
 /// Asks which trigger plan there is (protocol 4.9).
-struct ReadTrigger {};
+struct ReadTrigger {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// Any of them.
 using Command = std::variant<CreatePlan, UpdatePlan, ExecutePlan, StopPlan, QuerySlot, AdjustSpeed,

@@ -16,6 +16,7 @@ namespace kickstand::smartdevice {
 /// Asks for updates of these parameters from now on, also after the device has been away. Answered when the
 /// device has said what it grants; TimedOut. The mask is cut to what can be read.
 struct Subscribe {
+    static constexpr bool kMovesNothing = true;
     int device = 0;
     wire::ParameterMask parameters = 0;
     std::uint16_t delay_ms = 40;  ///< 0 ends the updates.
@@ -24,6 +25,7 @@ struct Subscribe {
 /// Asks for values once. Answered when all of them have come; BadArgument where nothing of it can be read,
 /// TimedOut.
 struct ReadValues {
+    static constexpr bool kMovesNothing = true;
     int device = 0;
     wire::ParameterMask parameters = 0;
 };
@@ -38,11 +40,14 @@ struct WriteValues {
 
 /// Lets a device stop everything; its next write resumes it. Never refused for STOP.
 struct DisableDevice {
+    static constexpr bool kMovesNothing = true;
     int device = 0;
 };
 
 /// Tries every port again at which no device answered, or that could not be opened.
-struct SearchAgain {};
+struct SearchAgain {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// Any of them.
 using Command = std::variant<Subscribe, ReadValues, WriteValues, DisableDevice, SearchAgain>;

@@ -12,6 +12,10 @@ using std::chrono::milliseconds;
 constexpr Duration kQuietAfter = std::chrono::seconds(1);
 constexpr Duration kLostAfter = std::chrono::seconds(3);
 constexpr Duration kAnswerLimit = milliseconds(500);
+/// So long until a question is asked again: a line with noise may have lost it, or its answer.
+constexpr Duration kAskAgainAfter = milliseconds(200);
+constexpr int kReads = 3;
+constexpr int kLearningReads = 2;
 /// So long without a sample that should have come, while heartbeats are answered: the board began anew.
 constexpr Duration kUpdatesMissing = std::chrono::seconds(1);
 constexpr Duration kLearnLimit = milliseconds(100);
@@ -110,20 +114,36 @@ void Device::setPresence(Presence presence) {
 void Device::step(TimePoint now) {
     if (!isLive()) return;
     if (const auto beat = heartbeat_.due(now)) host_.send(wire::HeartbeatRequest{*beat});
-    if (learning_ >= 0 && now >= learnUntil_) learnNext(now);
+    if (learning_ >= 0 && now >= learnUntil_) {
+        if (--learningReadsLeft_ > 0)
+            askLearning(now);
+        else
+            learnNext(now);
+    }
     const Duration silence = now - state_.heardAt;
     if (silence >= kLostAfter) return setPresence(Presence::Lost);
     if (silence >= kQuietAfter) setPresence(Presence::Quiet);
     judge_.step(now);
     applyJudgements();
-    const auto tooLate = [&](const auto& pending) {
-        if (now < pending.deadline) return false;
-        host_.answer(pending.id, fail(errorOf(Errc::TimedOut, state_.spec->name)));
+    std::erase_if(reads_, [&](PendingRead& read) {
+        if (now < read.deadline) return false;
+        if (--read.left > 0) return !send(read, now);
+        host_.answer(read.id, fail(Errc::TimedOut, state_.spec->name));
         return true;
-    };
-    std::erase_if(reads_, tooLate);
-    std::erase_if(subscriptions_, tooLate);
+    });
+    std::erase_if(subscriptions_, [&](const PendingSubscription& pending) {
+        if (now < pending.deadline) return false;
+        host_.answer(pending.id, fail(Errc::TimedOut, state_.spec->name));
+        return true;
+    });
     watchUpdates(now);
+}
+
+bool Device::send(PendingRead& read, TimePoint now) {
+    read.deadline = now + kAskAgainAfter;
+    if (host_.send(wire::DeviceRead{read.missing})) return true;
+    host_.answer(read.id, fail(Errc::QueueFull, state_.port));
+    return false;
 }
 
 void Device::watchUpdates(TimePoint now) {
@@ -187,7 +207,7 @@ void Device::take(const wire::DeviceData& message, TimePoint now) {
     sampleAt_ = now;
     if (!fits(message)) return;
     store(message, now);
-    judge_.data(message.parameters, state_.subscribed != 0 && message.parameters == state_.subscribed,
+    judge_.data(message.parameters, state_.delay_ms != 0 && message.parameters == state_.subscribed,
                 state_.parameters);
     applyJudgements();
     std::erase_if(reads_, [&](PendingRead& read) {
@@ -232,8 +252,8 @@ void Device::read(CommandId id, const ReadValues& command, TimePoint now) {
     const auto mask = static_cast<wire::ParameterMask>(command.parameters & state_.spec->readable());
     if (mask == 0)
         return host_.answer(id, fail(Errc::BadArgument, state_.spec->name, "nothing of it can be read"));
-    if (!host_.send(wire::DeviceRead{mask})) return host_.answer(id, fail(Errc::QueueFull, state_.port));
-    reads_.push_back({id, mask, now + kAnswerLimit});
+    PendingRead request{id, mask, kReads, {}};
+    if (send(request, now)) reads_.push_back(request);
 }
 
 Result<void> Device::checkWrite(const WriteValues& command) const {
@@ -311,15 +331,18 @@ void Device::applyJudgements() {
                   state.value ? wire::toNumber(*state.value).value_or(0) : 0);
         host_.changed();
     }
-    for (const WriteJudge::Ended& ended : judge_.takeEnded()) {
-        if (!ended.refused) {
-            host_.answer(ended.id, {});
-            continue;
-        }
-        const auto at = static_cast<std::size_t>(ended.firstRefused);
-        host_.answer(ended.id,
-                     fail(Errc::DeviceRefused, state_.spec->parameters[at].name, state_.spec->name));
-    }
+    for (const WriteJudge::Ended& ended : judge_.takeEnded())
+        host_.answer(ended.id, resultOf(ended));
+}
+
+Result<void> Device::resultOf(const WriteJudge::Ended& ended) const {
+    const auto nameOf = [this](int parameter) {
+        return state_.spec->parameters[static_cast<std::size_t>(parameter)].name;
+    };
+    if (ended.firstRefused >= 0)
+        return fail(Errc::DeviceRefused, nameOf(ended.firstRefused), state_.spec->name);
+    if (ended.firstSilent >= 0) return fail(Errc::TimedOut, state_.spec->name, nameOf(ended.firstSilent));
+    return {};
 }
 
 // ---- Stopping.
@@ -359,6 +382,11 @@ void Device::stop() {
 
 void Device::learnNext(TimePoint now) {
     if (++learning_ > kHighestBit) return endLearning(now);
+    learningReadsLeft_ = kLearningReads;
+    askLearning(now);
+}
+
+void Device::askLearning(TimePoint now) {
     learnUntil_ = now + kLearnLimit;
     host_.send(wire::DeviceRead{bit(learning_)});
 }

@@ -53,6 +53,7 @@ class Device {
     struct PendingRead {
         CommandId id = 0;
         wire::ParameterMask missing = 0;
+        int left = 0;  ///< How often it may still be asked, with this time.
         TimePoint deadline{};
     };
     struct PendingSubscription {
@@ -65,13 +66,16 @@ class Device {
     void store(const wire::DeviceData& message, TimePoint now);
     bool fits(const wire::DeviceData& message);
     void askForUpdates(TimePoint now);
+    bool send(PendingRead& read, TimePoint now);
     void learnNext(TimePoint now);
+    void askLearning(TimePoint now);
     void learned(const wire::DeviceData& message, TimePoint now);
     void endLearning(TimePoint now);
     Result<void> checkWrite(const WriteValues& command) const;
     void sendValues(const std::vector<std::pair<int, wire::Value>>& values);
     void noteDriving(int parameter, const wire::Value& value);
     void applyJudgements();
+    Result<void> resultOf(const WriteJudge::Ended& ended) const;
     void setPresence(Presence presence);
     void watchUpdates(TimePoint now);
     void raise(EventKind kind, std::string text = {}, std::int64_t code = 0, std::int64_t previous = 0,
@@ -87,6 +91,7 @@ class Device {
     TimePoint sampleAt_{};             ///< The last Data, or when updates were asked for.
     bool misfitTold_ = false;
     int learning_ = -1;  ///< The parameter that is being read to find out its width.
+    int learningReadsLeft_ = 0;
     TimePoint learnUntil_{};
     DeviceSpec learnt_;
 };

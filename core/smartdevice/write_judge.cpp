@@ -37,7 +37,8 @@ void WriteJudge::data(wire::ParameterMask mask, bool sample, const std::vector<P
     bool answers = !sample;
     for (Flight& flight : flights_) {
         take(flight, mask, parameters);
-        const bool within = mask != 0 && (mask & ~flight.mask) == 0;
+        // A device that took nothing answers with nothing in it.
+        const bool within = (mask & ~flight.mask) == 0;
         if (answers && within && !flight.hasAnswer) {
             flight.hasAnswer = true;
             flight.answered = mask;
@@ -64,21 +65,24 @@ void WriteJudge::take(Flight& flight, wire::ParameterMask mask,
 
 void WriteJudge::note(Flight& flight, int parameter, WriteVerdict verdict) {
     judgements_.push_back({parameter, verdict});
-    if (verdict != WriteVerdict::Refused || flight.end.refused) return;
-    flight.end.refused = true;
-    flight.end.firstRefused = parameter;
+    if (verdict == WriteVerdict::Refused && flight.end.firstRefused < 0) flight.end.firstRefused = parameter;
+    if (verdict == WriteVerdict::Unconfirmed && flight.end.firstSilent < 0)
+        flight.end.firstSilent = parameter;
 }
 
-bool WriteJudge::isChanged(const Flight& flight, int parameter) {
-    if (flight.hasAnswer) return (flight.answered & bit(parameter)) != 0;
-    // Without an answer of its own only the samples are left to go by: the old value means that it was left.
+WriteVerdict WriteJudge::verdictOf(const Flight& flight, int parameter) {
+    if (flight.hasAnswer)
+        return (flight.answered & bit(parameter)) != 0 ? WriteVerdict::Changed : WriteVerdict::Refused;
+    // Without an answer of its own only the samples are left to go by: the old value means that it was left,
+    // and from silence nothing follows.
     const auto last = flight.last.find(parameter);
-    return last != flight.last.end() && flight.before.at(parameter) != last->second;
+    if (last == flight.last.end()) return WriteVerdict::Unconfirmed;
+    return flight.before.at(parameter) != last->second ? WriteVerdict::Changed : WriteVerdict::Refused;
 }
 
 void WriteJudge::judgeRest(Flight& flight) {
     for (const auto& [parameter, value] : flight.open)
-        note(flight, parameter, isChanged(flight, parameter) ? WriteVerdict::Changed : WriteVerdict::Refused);
+        note(flight, parameter, verdictOf(flight, parameter));
     flight.open.clear();
 }
 

@@ -25,8 +25,8 @@ class WriteJudge {
     /// A write that has been judged to its end.
     struct Ended {
         CommandId id = 0;
-        bool refused = false;
-        int firstRefused = -1;
+        int firstRefused = -1;  ///< A parameter that was refused, or less than 0.
+        int firstSilent = -1;   ///< A parameter of which nothing came at all, or less than 0.
     };
 
     /// A write was sent: `values` of what can be read again; `parameters` as they were before.
@@ -56,7 +56,7 @@ class WriteJudge {
         Ended end;
     };
 
-    static bool isChanged(const Flight& flight, int parameter);
+    static WriteVerdict verdictOf(const Flight& flight, int parameter);
     void note(Flight& flight, int parameter, WriteVerdict verdict);
     void take(Flight& flight, wire::ParameterMask mask, const std::vector<ParameterState>& parameters);
     void judgeRest(Flight& flight);

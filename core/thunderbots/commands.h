@@ -31,6 +31,7 @@ struct SetWheels {
 
 /// Brakes the wheels at once. The charger, dribbler and autokick stay as they are.
 struct Brake {
+    static constexpr bool kMovesNothing = true;
     RobotMask robots = 0;
 };
 
@@ -96,6 +97,7 @@ struct Discharge {
 /// Forgets what has arrived of these robots' experiment buffers, so that the next experiment begins with none
 /// of it known (protocol 4.6). Nothing is sent.
 struct ClearExperiment {
+    static constexpr bool kMovesNothing = true;
     RobotMask robots = 0;
 };
 
@@ -125,11 +127,15 @@ struct AnswerCheck {
 };
 
 /// Ends the check; its robot is braked, its charger off. Done as well where none runs.
-struct StopCheck {};
+struct StopCheck {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// Ends the sweep, and takes its kick back where the dongle does not have it yet. Done as well where none
 /// runs.
-struct StopSweep {};
+struct StopSweep {
+    static constexpr bool kMovesNothing = true;
+};
 
 /// Sets the dongle's radio channels (0x0B-0x1A), which takes a new start of the radios. OutOfRange;
 /// Unsupported on a cable. Everything is braked first.
@@ -142,9 +148,11 @@ struct SetChannels {
 /// (protocol 4.7, 4.8). Answered when they are in the snapshot. Refused with RobotNotAlive, FlashRunning
 /// and RequestPending; Unanswered or TimedOut where the robot does not answer.
 struct ReadParameters {
+    static constexpr bool kMovesNothing = true;
     int robot = 0;
 };
 struct ReadSignatures {
+    static constexpr bool kMovesNothing = true;
     int robot = 0;
 };
 
@@ -153,6 +161,7 @@ struct ReadSignatures {
 /// behind the known fields is not as it was read; OutOfRange; NotVerified where the robot has something else
 /// afterwards; ReadParameters' errors.
 struct ApplyParameters {
+    static constexpr bool kMovesNothing = true;
     int robot = 0;
     wire::OperationalParameters parameters;
 };
@@ -160,6 +169,7 @@ struct ApplyParameters {
 /// Lets a robot keep its volatile copy for good; its next reboot proves it. Refused with ParametersUnread;
 /// ReadParameters' errors.
 struct CommitParameters {
+    static constexpr bool kMovesNothing = true;
     int robot = 0;
 };
 
@@ -167,6 +177,7 @@ struct CommitParameters {
 /// or is armed, ReadingsUnknown and CapacitorLive from 50 V on; NotCommitted while it has applied parameters
 /// that would be lost, unless `discard`; ReadParameters' errors.
 struct RebootRobot {
+    static constexpr bool kMovesNothing = true;
     int robot = 0;
     bool discard = false;
     bool capacitorUnknown = false;  ///< The capacitor is empty, though nobody measures it.
@@ -187,6 +198,7 @@ struct FlashOptions {
 /// Meanwhile the robot takes nothing that moves, charges or asks it something (FlashRunning). STOP lets it
 /// finish its page and pauses it.
 struct StartFlash {
+    static constexpr bool kMovesNothing = true;
     RobotMask robots = 0;
     std::vector<SharedFlashPlan> plans;
     FlashOptions options;
@@ -194,11 +206,13 @@ struct StartFlash {
 
 /// Ends uploads at once; the snapshot's `flash` says how each robot is left. FlashNotRunning.
 struct CancelFlash {
+    static constexpr bool kMovesNothing = true;
     RobotMask robots = 0;
 };
 
 /// Goes on with uploads that STOP has paused. StopLatched before it was re-armed; FlashNotRunning.
 struct ResumeFlash {
+    static constexpr bool kMovesNothing = true;
     RobotMask robots = 0;
 };
 

@@ -53,7 +53,8 @@ TEST_F(SimSmartDevice, IsListedReadAndWrittenOverASerialPort) {
     ASSERT_EQ(devices.size(), 1);
     EXPECT_EQ(devices[0][QStringLiteral("name")].toString(), QStringLiteral("PolarBear"));
     EXPECT_EQ(devices[0][QStringLiteral("port")].toString().toStdString(), port_.string());
-    EXPECT_EQ(onPort({"smartdevice", "read", port_.string(), "enc_pos"}).exitCode, 0);
+    const Ended asked = onPort({"smartdevice", "read", port_.string(), "enc_pos"});
+    EXPECT_EQ(asked.exitCode, 0) << asked.err;
     const Ended driven = onPort({"smartdevice", "write", "PolarBear", "duty_cycle=0.5", "--for", "0.3"});
     EXPECT_EQ(driven.exitCode, 0) << driven.err;
     const QJsonObject shown = ctl({"--json", "show", "0"}).object();

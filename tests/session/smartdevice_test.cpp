@@ -87,6 +87,32 @@ TEST_F(SmartDeviceTest, AWriteIsJudgedDoneRefusedChangedOrUnconfirmed) {
     EXPECT_EQ(count(EventKind::WriteRefused), 1);
 }
 
+TEST_F(SmartDeviceTest, FromSilenceAfterAWriteNothingFollows) {
+    start("PolarBear");
+    sim_->board(0).faults().silent = true;
+    run(100ms);
+    const auto written = write(0, "duty_cycle", 0.25);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, Errc::TimedOut);
+    EXPECT_EQ(parameter(0, "duty_cycle").verdict, WriteVerdict::Unconfirmed);
+    EXPECT_EQ(count(EventKind::WriteRefused), 0);
+}
+
+TEST_F(SmartDeviceTest, AReadWhoseAnswerIsLostIsAskedAgain) {
+    start("PolarBear");
+    ASSERT_TRUE(perform(Subscribe{0, 0, 0}));
+    sim_->board(0).faults().silent = true;
+    const CommandId id = execute(ReadValues{0, 1});
+    run(150ms);
+    sim_->board(0).faults().silent = false;
+    ASSERT_TRUE(runUntil([&] { return answers_.contains(id); }, 1s));
+    EXPECT_TRUE(answers_[id]);
+    sim_->board(0).faults().silent = true;
+    const auto lost = perform(ReadValues{0, 1});
+    ASSERT_FALSE(lost);
+    EXPECT_EQ(lost.error().code, Errc::TimedOut);
+}
+
 TEST_F(SmartDeviceTest, AWriteThatTheDeviceClampsIsChanged) {
     // A user's catalogue that knows no bounds lets through what the board then clamps.
     catalogue_ =

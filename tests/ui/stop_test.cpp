@@ -216,6 +216,16 @@ TEST_F(StopTest, LosingTheKeyboardAtRestOrWithTheSettingOffDoesNot) {
     EXPECT_FALSE(rig.client().isStopped());
 }
 
+TEST_F(StopTest, LosingTheKeyboardWhileARobotIsOnlyAskedSomethingDoesNot) {
+    rig.bench().submit(SystemCommand{thunderbots::Command{ReadSignatures{3}}}, nullptr, {});
+    EXPECT_TRUE(rig.client().hasPending());
+    emit qApp->applicationStateChanged(Qt::ApplicationInactive);
+    EXPECT_FALSE(rig.client().isStopped());
+    rig.bench().submit(SystemCommand{thunderbots::Command{SetWheels{1U << 3, {30, 0, 0, 0}}}}, nullptr, {});
+    emit qApp->applicationStateChanged(Qt::ApplicationInactive);
+    EXPECT_TRUE(rig.client().isStopped()) << "what may move a robot is not in the snapshot yet";
+}
+
 TEST_F(StopTest, LosingTheKeyboardWithTheHighVoltageArmedAloneDoesNot) {
     rig.clickRobot(3);
     rig.click(QStringLiteral("arm"));

@@ -23,11 +23,11 @@ void Bench::show(SessionId id) {
 }
 
 bool Bench::isMoving() const {
-    return client_.hasPending() || any(&SystemView::isMoving);
+    return client_.hasMotionPending() || any(&SystemView::isMoving);
 }
 
 bool Bench::isActive() const {
-    return client_.hasPending() || any(&SystemView::isActive);
+    return client_.hasMotionPending() || any(&SystemView::isActive);
 }
 
 bool Bench::any(bool (SystemView::*holds)(const SystemSnapshot&) const) const {

@@ -33,11 +33,14 @@ const SessionSnapshot* EngineClient::session(SessionId id) const {
 }
 
 void EngineClient::submit(SessionId session, CommandBody body, QObject* context, Answered answered) {
-    const bool toSystem = std::holds_alternative<SystemCommand>(body);
+    const auto* command = std::get_if<SystemCommand>(&body);
+    const bool toSystem = command != nullptr;
+    const bool moves = toSystem && mayMove(*command);
     const Result<CommandId> id = engine_.submit(session, std::move(body));
-    Pending pending{context, context != nullptr, toSystem, std::move(answered)};
+    Pending pending{context, context != nullptr, toSystem, moves, std::move(answered)};
     if (id) {
-        systemCommands_ += toSystem ? 1 : 0;
+        waiting_ += toSystem ? 1 : 0;
+        waitingToMove_ += moves ? 1 : 0;
         pending_.emplace(*id, std::move(pending));
         return;
     }
@@ -94,7 +97,8 @@ void EngineClient::takeAnswers() {
             continue;
         }
         const Pending& pending = node.mapped();
-        systemCommands_ -= pending.toSystem ? 1 : 0;
+        waiting_ -= pending.toSystem ? 1 : 0;
+        waitingToMove_ -= pending.moves ? 1 : 0;
         if (!pending.answered) continue;
         if (!pending.hasContext || pending.context != nullptr) pending.answered(answer.result);
     }

@@ -34,8 +34,10 @@ class EngineClient final : public QObject {
     void submit(SessionId session, CommandBody body, QObject* context = nullptr, Answered answered = {});
     /// Opens a session. Where it cannot be made connectRefused() tells.
     Result<SessionId> connectTo(const LinkUri& uri);
-    /// Whether a system's command waits for its answer: more may be on its way than the snapshot knows.
-    bool hasPending() const { return systemCommands_ > 0; }
+    /// Whether a system's command waits for its answer.
+    bool hasPending() const { return waiting_ > 0; }
+    /// Whether one does that may set something in motion: more may move than the snapshot knows.
+    bool hasMotionPending() const { return waitingToMove_ > 0; }
 
     void stop(StopReason reason);
     void rearm();
@@ -57,6 +59,7 @@ class EngineClient final : public QObject {
         QPointer<QObject> context;
         bool hasContext = false;
         bool toSystem = false;
+        bool moves = false;
         Answered answered;
     };
 
@@ -72,7 +75,8 @@ class EngineClient final : public QObject {
     bool stopped_ = false;
     StopReason asked_ = StopReason::None;
     std::unordered_map<CommandId, Pending> pending_;
-    int systemCommands_ = 0;
+    int waiting_ = 0;
+    int waitingToMove_ = 0;
     QTimer poll_;
     QTimer heartbeat_;
 };
