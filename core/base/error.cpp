@@ -1,131 +1,93 @@
 #include "core/base/error.h"
 
+#include <array>
+#include <cstddef>
+
 namespace kickstand {
+namespace {
+
+struct Named {
+    Errc code;
+    const char* name;
+};
+
+constexpr std::array kNames = std::to_array<Named>({
+    {Errc::BadArgument, "bad-argument"},
+    {Errc::OutOfRange, "out-of-range"},
+    {Errc::UnknownName, "unknown-name"},
+    {Errc::BadUri, "bad-uri"},
+    {Errc::Unsupported, "unsupported"},
+    {Errc::NoEncoding, "no-encoding"},
+    {Errc::Malformed, "malformed"},
+    {Errc::NoDevice, "no-device"},
+    {Errc::SeveralDevices, "several-devices"},
+    {Errc::PermissionDenied, "permission-denied"},
+    {Errc::ClaimedElsewhere, "claimed-elsewhere"},
+    {Errc::Disconnected, "disconnected"},
+    {Errc::Stalled, "stalled"},
+    {Errc::TimedOut, "timed-out"},
+    {Errc::Cancelled, "cancelled"},
+    {Errc::Io, "io"},
+    {Errc::RadioFailed, "radio-failed"},
+    {Errc::ChannelsLocked, "channels-locked"},
+    {Errc::NotConnected, "not-connected"},
+    {Errc::StopLatched, "stop-latched"},
+    {Errc::NotArmed, "not-armed"},
+    {Errc::RobotNotAlive, "robot-not-alive"},
+    {Errc::EmergencyStopNotRun, "emergency-stop-not-run"},
+    {Errc::KickOutstanding, "kick-outstanding"},
+    {Errc::KickExpired, "kick-expired"},
+    {Errc::MustPassZero, "must-pass-zero"},
+    {Errc::NotDischarging, "not-discharging"},
+    {Errc::ReadingsUnknown, "readings-unknown"},
+    {Errc::SweepRunning, "sweep-running"},
+    {Errc::CheckRunning, "check-running"},
+    {Errc::NotCharging, "not-charging"},
+    {Errc::QueueFull, "queue-full"},
+    {Errc::HeartbeatStale, "heartbeat-stale"},
+    {Errc::RequestPending, "request-pending"},
+    {Errc::Unanswered, "unanswered"},
+    {Errc::NotBraked, "not-braked"},
+    {Errc::CapacitorLive, "capacitor-live"},
+    {Errc::BatteryLow, "battery-low"},
+    {Errc::NotCommitted, "not-committed"},
+    {Errc::RebootNeeded, "reboot-needed"},
+    {Errc::ParametersUnread, "parameters-unread"},
+    {Errc::FlashRunning, "flash-running"},
+    {Errc::FlashNotRunning, "flash-not-running"},
+    {Errc::AlreadyThere, "already-there"},
+    {Errc::NotVerified, "not-verified"},
+    {Errc::WrongSignature, "wrong-signature"},
+    {Errc::NoMovementCode, "no-movement-code"},
+    {Errc::PlanRefused, "plan-refused"},
+    {Errc::WouldBeRefused, "would-be-refused"},
+    {Errc::PlanExecuting, "plan-executing"},
+    {Errc::EchoDiffers, "echo-differs"},
+    {Errc::Unconfirmed, "unconfirmed"},
+    {Errc::NxtRefused, "nxt-refused"},
+    {Errc::NotPaired, "not-paired"},
+    {Errc::PairedElsewhere, "paired-elsewhere"},
+    {Errc::RoleRunning, "role-running"},
+    {Errc::RadioNotReady, "radio-not-ready"},
+    {Errc::RadioNotSet, "radio-not-set"},
+    {Errc::RadioDiffers, "radio-differs"},
+    {Errc::DeviceRefused, "device-refused"},
+});
+
+/// Each has its name, at its own place.
+constexpr bool isInOrder() {
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        if (static_cast<std::size_t>(kNames[i].code) != i) return false;
+    }
+    return kNames.back().code == Errc::DeviceRefused;
+}
+static_assert(isInOrder());
+
+}  // namespace
 
 const char* name(Errc code) {
-    switch (code) {
-        case Errc::BadArgument:
-            return "bad-argument";
-        case Errc::OutOfRange:
-            return "out-of-range";
-        case Errc::UnknownName:
-            return "unknown-name";
-        case Errc::BadUri:
-            return "bad-uri";
-        case Errc::Unsupported:
-            return "unsupported";
-        case Errc::NoEncoding:
-            return "no-encoding";
-        case Errc::Malformed:
-            return "malformed";
-        case Errc::NoDevice:
-            return "no-device";
-        case Errc::SeveralDevices:
-            return "several-devices";
-        case Errc::PermissionDenied:
-            return "permission-denied";
-        case Errc::ClaimedElsewhere:
-            return "claimed-elsewhere";
-        case Errc::Disconnected:
-            return "disconnected";
-        case Errc::Stalled:
-            return "stalled";
-        case Errc::TimedOut:
-            return "timed-out";
-        case Errc::Cancelled:
-            return "cancelled";
-        case Errc::Io:
-            return "io";
-        case Errc::RadioFailed:
-            return "radio-failed";
-        case Errc::ChannelsLocked:
-            return "channels-locked";
-        case Errc::NotConnected:
-            return "not-connected";
-        case Errc::StopLatched:
-            return "stop-latched";
-        case Errc::NotArmed:
-            return "not-armed";
-        case Errc::RobotNotAlive:
-            return "robot-not-alive";
-        case Errc::EmergencyStopNotRun:
-            return "emergency-stop-not-run";
-        case Errc::KickOutstanding:
-            return "kick-outstanding";
-        case Errc::KickExpired:
-            return "kick-expired";
-        case Errc::MustPassZero:
-            return "must-pass-zero";
-        case Errc::NotDischarging:
-            return "not-discharging";
-        case Errc::ReadingsUnknown:
-            return "readings-unknown";
-        case Errc::SweepRunning:
-            return "sweep-running";
-        case Errc::CheckRunning:
-            return "check-running";
-        case Errc::NotCharging:
-            return "not-charging";
-        case Errc::QueueFull:
-            return "queue-full";
-        case Errc::HeartbeatStale:
-            return "heartbeat-stale";
-        case Errc::RequestPending:
-            return "request-pending";
-        case Errc::Unanswered:
-            return "unanswered";
-        case Errc::NotBraked:
-            return "not-braked";
-        case Errc::CapacitorLive:
-            return "capacitor-live";
-        case Errc::BatteryLow:
-            return "battery-low";
-        case Errc::ParametersUnread:
-            return "parameters-unread";
-        case Errc::RebootNeeded:
-            return "reboot-needed";
-        case Errc::NotCommitted:
-            return "not-committed";
-        case Errc::FlashRunning:
-            return "flash-running";
-        case Errc::FlashNotRunning:
-            return "flash-not-running";
-        case Errc::AlreadyThere:
-            return "already-there";
-        case Errc::NotVerified:
-            return "not-verified";
-        case Errc::DeviceRefused:
-            return "device-refused";
-        case Errc::WrongSignature:
-            return "wrong-signature";
-        case Errc::NoMovementCode:
-            return "no-movement-code";
-        case Errc::PlanRefused:
-            return "plan-refused";
-        case Errc::WouldBeRefused:
-            return "would-be-refused";
-        case Errc::PlanExecuting:
-            return "plan-executing";
-        case Errc::EchoDiffers:
-            return "echo-differs";
-        case Errc::Unconfirmed:
-            return "unconfirmed";
-        case Errc::NxtRefused:
-            return "nxt-refused";
-        case Errc::NotPaired:
-            return "not-paired";
-        case Errc::PairedElsewhere:
-            return "paired-elsewhere";
-        case Errc::RoleRunning:
-            return "role-running";
-        case Errc::RadioNotReady:
-            return "radio-not-ready";
-        case Errc::RadioNotSet:
-            return "radio-not-set";
-        case Errc::RadioDiffers:
-            return "radio-differs";
-    }
-    return "unknown";
+    const auto at = static_cast<std::size_t>(code);
+    return at < kNames.size() ? kNames[at].name : "unknown";
 }
 
 }  // namespace kickstand

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/engine/event_marks.h"
+
 namespace kickstand {
 namespace {
 
@@ -13,108 +15,6 @@ namespace {
 constexpr Duration kSimReadEvery = std::chrono::milliseconds(100);
 /// Finer steps than these of a quantity are no news.
 constexpr double kSimSteps = 1000;
-
-std::optional<Mark> markOf(const thunderbots::Event& event) {
-    using Kind = thunderbots::EventKind;
-    Mark mark;
-    mark.time = event.time;
-    if (event.robot >= 0) mark.unit = static_cast<std::uint16_t>(event.robot);
-    switch (event.kind) {
-        case Kind::KickGiven:
-            mark.kind = MarkKind::Kick;
-            mark.value = static_cast<float>(std::max(event.code, event.previous));
-            return mark;
-        case Kind::Autokick:
-            mark.kind = MarkKind::Autokick;
-            return mark;
-        case Kind::DongleFault:
-            mark.kind = MarkKind::DeviceError;
-            mark.value = static_cast<float>(event.code);
-            return mark;
-        case Kind::Connected:
-            mark.kind = MarkKind::LinkUp;
-            return mark;
-        case Kind::LinkLost:
-        case Kind::Disconnected:
-            mark.kind = MarkKind::LinkDown;
-            return mark;
-        case Kind::RobotFound:
-            mark.kind = MarkKind::UnitHeard;
-            return mark;
-        case Kind::RobotLost:
-            mark.kind = MarkKind::UnitLost;
-            return mark;
-        default:
-            return std::nullopt;
-    }
-}
-
-std::optional<Mark> markOf(const smartdevice::Event& event) {
-    using Kind = smartdevice::EventKind;
-    Mark mark;
-    mark.time = event.time;
-    if (event.robot >= 0) mark.unit = static_cast<std::uint16_t>(event.robot);
-    switch (event.kind) {
-        case Kind::DeviceFound:
-        case Kind::DeviceBack:
-            mark.kind = MarkKind::UnitHeard;
-            return mark;
-        case Kind::DeviceLost:
-            mark.kind = MarkKind::UnitLost;
-            return mark;
-        case Kind::DeviceError:
-            mark.kind = MarkKind::DeviceError;
-            mark.value = static_cast<float>(event.code);
-            return mark;
-        default:
-            return std::nullopt;
-    }
-}
-
-std::optional<Mark> markOf(const motionplan::Event& event) {
-    using Kind = motionplan::EventKind;
-    Mark mark;
-    mark.time = event.time;
-    switch (event.kind) {
-        case Kind::Connected:
-            mark.kind = MarkKind::LinkUp;
-            return mark;
-        case Kind::LinkLost:
-        case Kind::Disconnected:
-            mark.kind = MarkKind::LinkDown;
-            return mark;
-        case Kind::Refused:
-            mark.kind = MarkKind::DeviceError;
-            mark.value = static_cast<float>(event.code);
-            return mark;
-        default:
-            return std::nullopt;
-    }
-}
-
-std::optional<Mark> markOf(const coach::Event& event) {
-    using Kind = coach::EventKind;
-    Mark mark;
-    mark.time = event.time;
-    if (event.team >= 0) mark.unit = static_cast<std::uint16_t>(event.team);
-    switch (event.kind) {
-        case Kind::Connected:
-            mark.kind = MarkKind::LinkUp;
-            return mark;
-        case Kind::LinkLost:
-        case Kind::Disconnected:
-            mark.kind = MarkKind::LinkDown;
-            return mark;
-        case Kind::Paired:
-            mark.kind = MarkKind::UnitHeard;
-            return mark;
-        case Kind::Unpaired:
-            mark.kind = MarkKind::UnitLost;
-            return mark;
-        default:
-            return std::nullopt;
-    }
-}
 
 }  // namespace
 
@@ -167,8 +67,7 @@ void SessionSlot::mark(MarkKind kind, TimePoint time, float value) {
 }
 
 void SessionSlot::markEvent(const SystemEvent& event) {
-    const auto mark = std::visit([](const auto& own) { return markOf(own); }, event);
-    if (mark) telemetry_->mark(*mark);
+    if (const auto mark = markOf(event)) telemetry_->mark(*mark);
 }
 
 SessionSnapshot SessionSlot::snapshot() const {

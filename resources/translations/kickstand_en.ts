@@ -3360,10 +3360,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>axis %1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>button %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3401,6 +3397,14 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis %1, reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4436,6 +4440,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>Sixteen simulated, 5 % radio loss</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Wheel speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TileMarks</name>
@@ -4635,6 +4643,33 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>Robot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WheelText</name>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 turns/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8378,10 +8413,6 @@ microcontroller %3, flash %4</source>
 <context>
     <name>kickstand::ui::WheelsBox</name>
     <message>
-        <source>%1 rpm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Wheels</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8526,6 +8557,10 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>&lt;b&gt;Kickstand %1&lt;/b&gt;&lt;p&gt;A bench for small robots: drive them, watch them, stop them.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes with no warranty.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Units</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

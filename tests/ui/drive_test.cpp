@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QMenu>
 #include <QTest>
 #include <algorithm>
 
@@ -69,6 +70,19 @@ TEST_F(DriveTest, TheEngineRampsWhatIsTyped) {
     EXPECT_TRUE(std::any_of(blocks.begin(), blocks.end(), [](const DriveBlock& block) {
         return block.wheels[0] > 0 && block.wheels[0] < 60;
     }));
+}
+
+TEST_F(DriveTest, AWheelsSpeedIsToldInTheUnitThatAPersonChooses) {
+    rig.clickRobot(3);
+    rig.typeWheel(1, QStringLiteral("42"));
+    const auto told = [this] { return wheel(1)->meaning(); };
+    ASSERT_TRUE(waitUntil([&] { return told() == QStringLiteral("350 rpm"); })) << told().toStdString();
+    auto* units = rig.find<QMenu>(QStringLiteral("units_wheelSpeed"));
+    units->actions().at(1)->trigger();
+    EXPECT_EQ(told(), QStringLiteral("5.8 turns/s"));
+    units->actions().at(2)->trigger();
+    EXPECT_EQ(told(), QStringLiteral("36.7 rad/s"));
+    EXPECT_EQ(rig.bench().unitOf(QStringLiteral("wheelSpeed")), 2) << "remembered";
 }
 
 TEST_F(DriveTest, EverySliderDrivesItsWheelAndSpringsBackToZero) {

@@ -150,10 +150,9 @@ QString inputText(const PadInput& input, bool knownPad) {
     QString text;
     if (knownPad) text = isAxis ? knownAxis(input.index, input.reversed) : knownButton(input.index);
     if (!text.isEmpty()) return text;
-    return isAxis ? PadText::tr("axis %1 %2")
-                        .arg(input.index + 1)
-                        .arg(input.reversed ? QChar(u'\u2212') : QChar(u'+'))
-                  : PadText::tr("button %1").arg(input.index + 1);
+    if (!isAxis) return PadText::tr("button %1").arg(input.index + 1);
+    return input.reversed ? PadText::tr("axis %1, reversed").arg(input.index + 1)
+                          : PadText::tr("axis %1").arg(input.index + 1);
 }
 
 QString actionText(PadAction action) {

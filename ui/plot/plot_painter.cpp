@@ -208,10 +208,12 @@ void PlotPainter::paintMarkLabels(QPainter& painter, const std::vector<ShownMark
     if (state_.cursors.isShown()) end -= strong.horizontalAdvance(cursorText(state_.cursors)) + 20;
     for (const ShownMark& mark : marks) {
         const int width = painter.fontMetrics().horizontalAdvance(mark.words.label);
-        if (mark.x + 4 < free || mark.x + 4 + width > end) continue;
-        drawLabel(painter, QRectF(mark.x + 4, top.top() + 1, width + 2, kLabelHeight), mark.words.label,
+        // What has just happened is told to the left of its line, where there is room for it.
+        const double x = mark.x + kTagGap + width > end ? mark.x - kTagGap - width : mark.x + kTagGap;
+        if (x < free || x + width > end) continue;
+        drawLabel(painter, QRectF(x, top.top() + 1, width + 2, kLabelHeight), mark.words.label,
                   mark.words.danger ? t_.danger : t_.text, t_.surface);
-        free = mark.x + 4 + width + 8;
+        free = std::max(x + width, mark.x) + 2.0 * kTagGap;
     }
 }
 

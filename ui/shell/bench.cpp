@@ -1,8 +1,16 @@
 #include "ui/shell/bench.h"
 
+#include <QSettings>
 #include <utility>
 
 namespace kickstand::ui {
+
+namespace {
+
+/// Before the quantity.
+constexpr QLatin1String kUnitSettings("units/");
+
+}  // namespace
 
 Bench::Bench(EngineClient& client, const SystemRegistry& systems, QSettings& settings, QObject* parent)
     : QObject(parent), client_(client), systems_(systems), settings_(settings) {
@@ -90,6 +98,15 @@ void Bench::disconnectAll() {
     awaited_ = 0;
     for (const SessionSnapshot& session : client_.snapshot().sessions)
         client_.submit(session.id, Disconnect{});
+}
+
+int Bench::unitOf(const QString& quantity) const {
+    return settings_.value(kUnitSettings + quantity, 0).toInt();
+}
+
+void Bench::chooseUnit(const QString& quantity, int unit) {
+    settings_.setValue(kUnitSettings + quantity, unit);
+    emit unitsChanged();
 }
 
 void Bench::goTo(const QString& place) {

@@ -54,6 +54,10 @@ class Bench final : public QObject {
     void connectBeside(const LinkUri& uri);
     void disconnectAll();
 
+    /// Which of a quantity's units a person has chosen, by its place in UnitChoice::units. Remembered.
+    int unitOf(const QString& quantity) const;
+    void chooseUnit(const QString& quantity, int unit);
+
     /// Brings a panel to the front; "faults#dongle-41" also names one thing in it.
     void goTo(const QString& place);
 
@@ -64,6 +68,7 @@ class Bench final : public QObject {
     void changed();
     /// Another session is shown, or none.
     void sessionChanged();
+    void unitsChanged();
     /// A link could not be made.
     void connectRefused(const kickstand::Error& error);
 

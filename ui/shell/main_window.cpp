@@ -65,7 +65,7 @@ MainWindow::MainWindow(Bench& bench, Theme& theme)
 }
 
 void MainWindow::build() {
-    auto* menus = new WindowMenus(*this, theme_, *focusGuard_);
+    auto* menus = new WindowMenus(bench_, *this, theme_, *focusGuard_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -48,6 +48,13 @@ struct StateText {
     QString strong;
 };
 
+/// A quantity that can be shown in one of several units, as a person likes it. The first is the usual one.
+struct UnitChoice {
+    QString id;    ///< "wheelSpeed": the choice is kept under it.
+    QString text;  ///< "Wheel speeds"
+    QStringList units;
+};
+
 /// Something that stays dangerous when the program ends.
 struct Hazard {
     QString text;    ///< "robot 3: 212 V on its capacitor".
@@ -63,6 +70,7 @@ class SystemView {
     virtual QString name() const = 0;
     virtual std::vector<PanelEntry> panels() const = 0;
     virtual std::vector<LinkOffer> offers() const = 0;
+    virtual std::vector<UnitChoice> unitChoices() const { return {}; }
 
     /// Whether the snapshot is of this system.
     virtual bool owns(const SystemSnapshot& system) const = 0;

@@ -5,10 +5,12 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include "ui/shell/bench.h"
 #include "ui/shell/focus_guard.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/panel.h"
 #include "ui/shell/panel_dock.h"
+#include "ui/shell/system_view.h"
 #include "ui/shell/theme.h"
 #include "ui/shell/workbench.h"
 
@@ -20,8 +22,9 @@ constexpr const char* kGuidePage = "bench-guide.md";
 
 }  // namespace
 
-WindowMenus::WindowMenus(MainWindow& window, Theme& theme, FocusGuard& focusGuard)
+WindowMenus::WindowMenus(Bench& bench, MainWindow& window, Theme& theme, FocusGuard& focusGuard)
     : QObject(&window),
+      bench_(bench),
       window_(window),
       theme_(theme),
       focusGuard_(focusGuard),
@@ -31,6 +34,7 @@ WindowMenus::WindowMenus(MainWindow& window, Theme& theme, FocusGuard& focusGuar
     help_->setObjectName(QStringLiteral("helpMenu"));
     addPanels();
     addThemes();
+    addUnits();
     addSettings();
     addHelp();
 }
@@ -73,6 +77,24 @@ void WindowMenus::addThemes() {
         action->setCheckable(true);
         action->setChecked(theme_.choice() == choice);
         group->addAction(action);
+    }
+}
+
+void WindowMenus::addUnits() {
+    view_->addSection(tr("Units"));
+    for (const auto& view : bench_.systems().views()) {
+        for (const UnitChoice& choice : view->unitChoices()) {
+            QMenu* menu = view_->addMenu(choice.text);
+            menu->setObjectName(QStringLiteral("units_") + choice.id);
+            auto* group = new QActionGroup(this);
+            for (int i = 0; i < choice.units.size(); ++i) {
+                QAction* action = menu->addAction(choice.units[i], this,
+                                                  [this, id = choice.id, i] { bench_.chooseUnit(id, i); });
+                action->setCheckable(true);
+                action->setChecked(bench_.unitOf(choice.id) == i);
+                group->addAction(action);
+            }
+        }
     }
 }
 

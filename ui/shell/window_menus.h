@@ -6,6 +6,7 @@ class QMenu;
 
 namespace kickstand::ui {
 
+class Bench;
 class FocusGuard;
 class MainWindow;
 class Theme;
@@ -14,7 +15,7 @@ class Theme;
 class WindowMenus final : public QObject {
     Q_OBJECT
   public:
-    WindowMenus(MainWindow& window, Theme& theme, FocusGuard& focusGuard);
+    WindowMenus(Bench& bench, MainWindow& window, Theme& theme, FocusGuard& focusGuard);
 
     QMenu* viewMenu() const { return view_; }
     QMenu* helpMenu() const { return help_; }
@@ -22,11 +23,13 @@ class WindowMenus final : public QObject {
   private:
     void addPanels();
     void addThemes();
+    void addUnits();
     void addSettings();
     void addHelp();
     void helpOfFocus();
     void showAbout();
 
+    Bench& bench_;
     MainWindow& window_;
     Theme& theme_;
     FocusGuard& focusGuard_;

@@ -51,6 +51,11 @@ DrivePanel::DrivePanel(Bench& bench, DriveControl& control, QWidget* parent)
     wheels_->setBody(bench.settings().value(kBodySetting, false).toBool());
     connectWheels();
     connectVoltage();
+    chooseUnit();
+    connect(&bench, &Bench::unitsChanged, this, [this] {
+        chooseUnit();
+        refresh();
+    });
     control_.attach(bench);
     connect(&control_, &DriveControl::changed, this, &DrivePanel::refresh);
     connect(&control_, &DriveControl::dropped, this, [this] {
@@ -104,6 +109,10 @@ void DrivePanel::build() {
     whole->addWidget(area, 1);
     bottom->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, metrics::kGap);
     whole->addLayout(bottom);
+}
+
+void DrivePanel::chooseUnit() {
+    wheels_->setUnit(static_cast<WheelUnit>(bench().unitOf(kWheelSpeed)));
 }
 
 QWidget* DrivePanel::headerTools() {

@@ -33,6 +33,7 @@ class DrivePanel final : public Panel {
 
   private:
     void build();
+    void chooseUnit();
     void connectWheels();
     void connectVoltage();
     void refresh();

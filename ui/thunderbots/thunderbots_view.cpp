@@ -20,6 +20,7 @@
 #include "ui/thunderbots/parameters_panel.h"
 #include "ui/thunderbots/robots_panel.h"
 #include "ui/thunderbots/voltages_panel.h"
+#include "ui/thunderbots/wheel_unit.h"
 #include "ui/thunderbots/words.h"
 
 namespace kickstand::ui {
@@ -124,6 +125,10 @@ std::vector<PanelEntry> ThunderbotsView::panels() const {
         {QStringLiteral("faults"), Words::tr("Fault codes"), help("fault-codes"), PanelPlace::Work,
          [](Bench& bench) -> Panel* { return new FaultsPanel(bench); }},
     };
+}
+
+std::vector<UnitChoice> ThunderbotsView::unitChoices() const {
+    return {{kWheelSpeed, Words::tr("&Wheel speeds"), wheelUnitTexts()}};
 }
 
 std::vector<LinkOffer> ThunderbotsView::offers() const {

@@ -26,6 +26,7 @@ class ThunderbotsView final : public SystemView {
     QString name() const override;
     std::vector<PanelEntry> panels() const override;
     std::vector<LinkOffer> offers() const override;
+    std::vector<UnitChoice> unitChoices() const override;
     bool owns(const SystemSnapshot& system) const override;
     bool isMoving(const SystemSnapshot& system) const override;
     bool isActive(const SystemSnapshot& system) const override;

@@ -5,7 +5,6 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "ui/thunderbots/body_box.h"
 #include "ui/thunderbots/drive_control.h"
@@ -25,10 +24,6 @@ enum Page { kWheelsPage = 0, kBodyPage = 1 };
 
 /// The whole box is to fit into the lowest window.
 constexpr int kRowGap = 4;
-
-QString rpmText(int units) {
-    return WheelsBox::tr("%1 rpm").arg(signedNumber(static_cast<int>(std::lround(wheel_rpm(units)))));
-}
 
 }  // namespace
 
@@ -145,7 +140,7 @@ void WheelsBox::showState(const DriveControl& control) {
         wheel->setLimit(control.limit());
         wheel->showValue(control.wheels()[i]);
         wheel->setReached(summary.reached[i]);
-        wheel->setMeaning(differs ? tr("differ") : rpmText(wheel->value()));
+        wheel->setMeaning(differs ? tr("differ") : wheelSpeedText(wheel->value(), unit_));
     }
     body_->showState(control.wheels(), control.limit(), follow, anyDiffers);
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ui/thunderbots/body_motion.h"
+#include "ui/thunderbots/wheel_unit.h"
 
 class QCheckBox;
 class QPushButton;
@@ -26,6 +27,8 @@ class WheelsBox final : public QWidget {
 
     void showState(const DriveControl& control);
     void setUsable(bool usable);
+    /// What is shown beside the set points from the next showState() on.
+    void setUnit(WheelUnit unit) { unit_ = unit; }
     /// Everything to zero, whoever holds it.
     void reset();
     void setReleaseToZero(bool on);
@@ -62,6 +65,7 @@ class WheelsBox final : public QWidget {
     QPushButton* dribbler_;
     QPushButton* zero_;
     LimitRow* limit_;
+    WheelUnit unit_ = WheelUnit::Rpm;
 };
 
 }  // namespace kickstand::ui

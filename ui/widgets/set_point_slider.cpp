@@ -80,6 +80,10 @@ void SetPointSlider::setReached(int value) {
     slider_->setReached(value);
 }
 
+QString SetPointSlider::meaning() const {
+    return meaning_->text();
+}
+
 void SetPointSlider::setMeaning(const QString& text) {
     if (meaning_->text() != text) meaning_->setText(text);
 }

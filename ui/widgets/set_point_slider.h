@@ -23,6 +23,7 @@ class SetPointSlider final : public QWidget {
     /// Shows how far the thing behind has come towards it.
     void setReached(int value);
     void setMeaning(const QString& text);
+    QString meaning() const;
     /// Shows the number with so many places after the point: 235 as "2.35".
     void setDecimals(int decimals);
     /// Whether the slider springs back to zero when it is let go.

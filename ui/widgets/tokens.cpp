@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontMetrics>
+#include <cmath>
 
 namespace kickstand::ui {
 
@@ -121,6 +122,11 @@ QFont numberFont(int size_px, QFont::Weight weight) {
 
 QString signedNumber(int value) {
     return value < 0 ? QStringLiteral("\u2212%1").arg(-value) : QString::number(value);
+}
+
+QString signedNumber(double value, int decimals) {
+    const QString digits = QString::number(std::abs(value), 'f', decimals);
+    return value < 0 ? u'\u2212' + digits : digits;
 }
 
 }  // namespace kickstand::ui

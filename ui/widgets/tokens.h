@@ -53,5 +53,7 @@ QFont numberFont(int size_px, QFont::Weight weight = QFont::Normal);
 
 /// A number with its sign as typography has it: "−36", not "-36".
 QString signedNumber(int value);
+/// The same with so many decimals.
+QString signedNumber(double value, int decimals);
 
 }  // namespace kickstand::ui
