@@ -1,4 +1,5 @@
 #include <QSpinBox>
+#include <algorithm>
 
 #include "app/kickstand/tour_maker.h"
 
@@ -14,9 +15,18 @@ TourMaker::Act type(ui::MainWindow* window, const char* field, int value) {
     return [window, field, value] { window->findChild<QSpinBox*>(QLatin1String(field))->setValue(value); };
 }
 
-bool isMeasured(const Snapshot& snapshot, KickCause cause) {
-    return !snapshot.kicks->empty() && snapshot.kicks->back().cause == cause &&
-           snapshot.kicks->back().measure == KickMeasure::Recharged;
+bool isMeasured(const KickRecord& kick, KickCause cause) {
+    return kick.cause == cause && kick.measure == KickMeasure::Recharged;
+}
+
+bool isLastMeasured(const Snapshot& snapshot, KickCause cause) {
+    return !snapshot.kicks->empty() && isMeasured(snapshot.kicks->back(), cause);
+}
+
+bool isSweepUnderWay(const Snapshot& snapshot) {
+    return snapshot.sweep && snapshot.sweep->given >= 3 &&
+           std::ranges::any_of(*snapshot.kicks,
+                               [](const KickRecord& kick) { return isMeasured(kick, KickCause::Sweep); });
 }
 
 void addKick(TourMaker& tour) {
@@ -26,23 +36,21 @@ void addKick(TourMaker& tour) {
     tour.add("kick-width-2", type(tour.window(), "kickWidth2", 1280));
     tour.add("kick-offset", type(tour.window(), "kickOffset", 384));
     tour.show("kick", tour.press("kickFirst"),
-              tour.when([](const Snapshot& snapshot) { return isMeasured(snapshot, KickCause::Asked); }));
+              tour.when([](const Snapshot& snapshot) { return isLastMeasured(snapshot, KickCause::Asked); }));
 }
 
 void addSweep(TourMaker& tour) {
     tour.add("sweep-without-chip", type(tour.window(), "kickWidth2", 0));
-    tour.show("sweep", tour.press("sweepStart"), tour.when([](const Snapshot& snapshot) {
-        return snapshot.sweep && snapshot.sweep->given == 3 && isMeasured(snapshot, KickCause::Sweep);
-    }));
+    tour.show("sweep", tour.press("sweepStart"), tour.when(isSweepUnderWay));
     tour.add("sweep-stop", tour.press("sweepStop"), tour.when([](const Snapshot& snapshot) {
-        return !snapshot.sweep->running() && isMeasured(snapshot, KickCause::Sweep);
+        return !snapshot.sweep->running() && isLastMeasured(snapshot, KickCause::Sweep);
     }));
 }
 
 void addAutokick(TourMaker& tour) {
     // The ball lies in the beam.
     tour.show("autokick", tour.press("autokick"), tour.when([](const Snapshot& snapshot) {
-        return snapshot.intents[kRobot].autokick && isMeasured(snapshot, KickCause::Autokick);
+        return snapshot.intents[kRobot].autokick && isLastMeasured(snapshot, KickCause::Autokick);
     }));
     tour.add("autokick-off", tour.press("autokick"),
              tour.when([](const Snapshot& snapshot) { return !snapshot.intents[kRobot].autokick; }));
