@@ -101,6 +101,12 @@ bool BenchRig::settle() {
     return waitUntil([this, asked] { return client_->snapshot().time > asked; });
 }
 
+bool BenchRig::rearm() {
+    if (!settle()) return false;
+    client_->rearm();
+    return settle();
+}
+
 void BenchRig::simulate(const char* action, int unit, double value) {
     bench_->submit(SimPerform{action, unit, value});
 }

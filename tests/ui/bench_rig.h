@@ -45,6 +45,9 @@ class BenchRig {
     }
     /// Waits until no command is on its way any more.
     [[nodiscard]] bool settle();
+    /// Re-arms and waits until the window has seen both the STOP and its end: what is typed before that is
+    /// dropped, as it should be.
+    [[nodiscard]] bool rearm();
     void simulate(const char* action, int unit, double value);
 
     const thunderbots::Snapshot* snapshot() const { return ui::snapshotOf(bench_->session()); }

@@ -78,11 +78,11 @@ TEST_F(DoctorTest, ItFollowsWhatHappensWhileItIsOpen) {
     rig.simulate("e-stop", -1, 3);
     EXPECT_TRUE(waitFor("e-stop", QStringLiteral("ok")));
     EXPECT_TRUE(waitFor("stop", QStringLiteral("wrong. Everything is stopped: the emergency stop left")));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     EXPECT_TRUE(waitFor("stop", QStringLiteral("ok")));
     rig.client().stop(StopReason::Person);
     EXPECT_TRUE(waitFor("stop", QStringLiteral("wrong. Everything is stopped: by hand.")));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     EXPECT_TRUE(waitFor("stop", QStringLiteral("ok")));
     rig.simulate("battery", 1, 14.5);
     EXPECT_TRUE(waitFor("battery", QStringLiteral("look. The battery is low: robot")));

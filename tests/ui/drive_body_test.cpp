@@ -218,7 +218,7 @@ TEST_F(KeysTest, AfterStopAHeldKeyCountsOnlyWhenItIsPressedAnew) {
     ASSERT_TRUE(waitForward());
     rig.press(Qt::Key_Space);
     ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block == wire::brakedBlock(); }));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     ASSERT_TRUE(rig.settle());
     rig.wire().clear();
     for (int i = 0; i < 5; ++i)

@@ -154,7 +154,7 @@ TEST_F(PadTest, StopByItsButtonWhetherItDrivesOrNot) {
     EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block == wire::brakedBlock(); }));
     hold(kStopButton, false);
     ASSERT_TRUE(look());
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     button("padOn")->click();
     ASSERT_TRUE(look());
     EXPECT_FALSE(rig.client().isStopped());
@@ -167,7 +167,7 @@ TEST_F(PadTest, AfterStopAStickThatIsStillHeldCountsForNothing) {
     ASSERT_TRUE(waitForward());
     rig.client().stop(StopReason::Person);
     ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block == wire::brakedBlock(); }));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     ASSERT_TRUE(rig.settle());
     rig.wire().clear();
     ASSERT_TRUE(look());

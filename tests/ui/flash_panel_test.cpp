@@ -164,7 +164,7 @@ TEST_F(FlashPanelTest, StopPausesResumeGoesOnAndCancelEnds) {
     EXPECT_TRUE(text("flashPaused").contains(QStringLiteral("Re-arm, then resume")));
     EXPECT_FALSE(button("flashResume")->isEnabled()) << "not before it is re-armed";
     EXPECT_TRUE(panel()->note().contains(QStringLiteral("paused by STOP")));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     ASSERT_TRUE(press("flashResume"));
     ASSERT_TRUE(waitUntil([this] { return !state("flashStage2").contains(QStringLiteral("paused")); }));
     EXPECT_TRUE(waitUntil([this] { return !button("flashResume")->isVisible(); }));
@@ -194,7 +194,7 @@ TEST_F(FlashPanelTest, AnUnpluggedDongleIsAFailureThatIsToldAndAClosedLinkACut) 
     EXPECT_TRUE(held("The link does not run"));
     rig.simulate("plugged", -1, 1);
     ASSERT_TRUE(held("stopped"));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     ASSERT_TRUE(next("Files"));
     ASSERT_TRUE(next("Review"));
     ASSERT_TRUE(next("Progress"));
@@ -219,7 +219,7 @@ TEST_F(FlashPanelTest, WhatARobotIsUpToHoldsThePageUntilItsRemedy) {
     EXPECT_TRUE(waitUntil([this] { return button("flashNext")->isEnabled(); }));
     rig.client().stop(StopReason::Person);
     ASSERT_TRUE(held("Everything is stopped"));
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     EXPECT_TRUE(waitUntil([this] { return button("flashNext")->isEnabled(); }));
     rig.clickRobot(9);
     ASSERT_TRUE(held("Robot 9: not heard"));

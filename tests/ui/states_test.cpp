@@ -51,7 +51,7 @@ TEST_F(StatesTest, TheEmergencyStopLeavingRunStopsAndIsShown) {
         rig.waitForSnapshot([](const Snapshot& snapshot) { return snapshot.eStop == wire::EStop::Stop; }));
     EXPECT_EQ(state(1)->tone(), ui::Tone::Warning);
     ASSERT_TRUE(rig.waitForStop());
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     ASSERT_TRUE(rig.settle());
     EXPECT_FALSE(rig.find<QWidget>(QStringLiteral("wheel1"))->isEnabled());
     EXPECT_TRUE(

@@ -113,7 +113,7 @@ TEST_F(StopTest, SpaceAndEscStopAheadOfAModalDialogWhichStays) {
         expectBraked();
         EXPECT_TRUE(dialog.isVisible());
         dialog.close();
-        rig.client().rearm();
+        ASSERT_TRUE(rig.rearm());
         rig.wire().clear();
     }
 }
@@ -188,7 +188,7 @@ TEST_F(StopTest, ASliderThatIsHeldIsTakenOutOfTheHand) {
     ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block.wheels[0] > 0; }));
     rig.press(Qt::Key_Space);
     expectBraked();
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     rig.wire().clear();
     // The button is still down, and moves on: that must not count.
     QTest::mouseMove(slider, QPoint(slider->width() / 2 + 80, 10));
@@ -261,7 +261,7 @@ TEST_F(StopTest, TheMachineGoingToSleepIsToldBeforeIt) {
 
 TEST_F(StopTest, AHeldSpaceStopsOnceAndRearmingWinsAfterwards) {
     rig.press(Qt::Key_Space);
-    rig.client().rearm();
+    ASSERT_TRUE(rig.rearm());
     QKeyEvent repeated(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), true);
     QApplication::sendEvent(&rig.window(), &repeated);
     EXPECT_FALSE(rig.client().isStopped());

@@ -133,6 +133,8 @@ QWidget* DriveKeysBox::makeCaps() {
 void DriveKeysBox::setUsable(bool usable) {
     if (usable == usable_) return;
     usable_ = usable;
+    on_->setEnabled(usable);
+    speed_->setEnabled(usable);
     if (!usable) letGo();
 }
 

@@ -53,7 +53,7 @@ class DriveKeysBox final : public QWidget {
     DriveKeyMap map_;
     HeldKeys held_;
     std::optional<DriveKey> learning_;
-    bool usable_ = false;
+    bool usable_ = true;
     QPushButton* on_;
     std::array<QPushButton*, kDriveKeys.size()> caps_{};
     SignedSpinBox* speed_;
