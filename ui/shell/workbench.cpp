@@ -10,6 +10,7 @@
 
 #include "ui/shell/bench.h"
 #include "ui/shell/events_panel.h"
+#include "ui/shell/first_paint.h"
 #include "ui/shell/panel.h"
 #include "ui/shell/panel_dock.h"
 #include "ui/shell/sim_panel.h"
@@ -184,7 +185,8 @@ void Workbench::showEvent(QShowEvent* event) {
         sizePanels();
         raiseFirst();
     }
-    QTimer::singleShot(0, this, &Workbench::makeNextPanel);
+    // The others can wait until there is something to look at.
+    connect(new FirstPaint(*this), &FirstPaint::painted, this, &Workbench::makeNextPanelSoon);
 }
 
 void Workbench::makeFrontPanels() {
@@ -196,11 +198,15 @@ void Workbench::makeFrontPanels() {
     }
 }
 
+void Workbench::makeNextPanelSoon() {
+    QTimer::singleShot(0, this, &Workbench::makeNextPanel);
+}
+
 void Workbench::makeNextPanel() {
     for (PanelDock* dock : docks_) {
         if (dock->isMade()) continue;
         dock->panel();
-        QTimer::singleShot(0, this, &Workbench::makeNextPanel);
+        makeNextPanelSoon();
         return;
     }
 }

@@ -44,6 +44,7 @@ class Workbench final : public QMainWindow {
     void followSession();
     void makeFrontPanels();
     void makeNextPanel();
+    void makeNextPanelSoon();
     QList<QDockWidget*> docksAt(PanelPlace place) const;
 
     Bench& bench_;
