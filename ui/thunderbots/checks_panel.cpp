@@ -20,6 +20,7 @@
 #include "ui/thunderbots/thunderbots_view.h"
 #include "ui/thunderbots/words.h"
 #include "ui/widgets/bench_style.h"
+#include "ui/widgets/scrolled.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -73,16 +74,8 @@ QWidget* ChecksPanel::makeControls() {
     stop_ = makeButton("checksStop", tr("End check"), box);
     for (QPushButton* button : {arm_, start_, stop_})
         buttons->addWidget(button, 1);
-    auto* scroll = new QScrollArea(box);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->viewport()->setAutoFillBackground(false);
-    scroll->setWidget(settings_);
-    settings_->setAutoFillBackground(false);
     column->addLayout(buttons);
-    column->addWidget(scroll, 1);
+    column->addWidget(scrolled(settings_, box), 1);
     return box;
 }
 

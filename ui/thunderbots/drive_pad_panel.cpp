@@ -15,6 +15,7 @@
 #include "ui/thunderbots/drive_control.h"
 #include "ui/thunderbots/drive_pad.h"
 #include "ui/thunderbots/words.h"
+#include "ui/widgets/scrolled.h"
 #include "ui/widgets/segmented.h"
 #include "ui/widgets/signed_spin_box.h"
 #include "ui/widgets/tokens.h"
@@ -56,15 +57,8 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     column->addLayout(row);
     column->addStretch(1);
     // A window that is too low for all of it scrolls.
-    auto* area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
+    QScrollArea* area = scrolled(content, this);
     area->setMinimumWidth(kLeastWidth);
-    area->setWidget(content);
-    area->viewport()->setAutoFillBackground(false);
-    content->setAutoFillBackground(false);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);

@@ -17,6 +17,7 @@
 #include "ui/thunderbots/thunderbots_view.h"
 #include "ui/thunderbots/wheels_box.h"
 #include "ui/thunderbots/words.h"
+#include "ui/widgets/scrolled.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -94,15 +95,8 @@ void DrivePanel::build() {
     bottom->addWidget(wheels_->releaseBox());
     column->addStretch(1);
     // A window that is too low for all of it scrolls.
-    auto* area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
+    QScrollArea* area = scrolled(content, this);
     area->setMinimumWidth(kLeastWidth);
-    area->setWidget(content);
-    area->viewport()->setAutoFillBackground(false);
-    content->setAutoFillBackground(false);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);

@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "ui/widgets/scrolled.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -28,20 +29,13 @@ QVBoxLayout* flatColumn(QWidget* parent) {
 
 FlashPageView::FlashPageView(QWidget* parent)
     : QWidget(parent),
-      scroll_(new QScrollArea(this)),
       content_(new QWidget),
+      scroll_(scrolled(content_, this)),
       head_(flatColumn(nullptr)),
       column_(flatColumn(content_)),
       foot_(flatColumn(nullptr)) {
     column_->setContentsMargins(0, 0, kScrollBarRoom, 0);
-    scroll_->setFrameShape(QFrame::NoFrame);
-    scroll_->setWidgetResizable(true);
-    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll_->setFocusPolicy(Qt::NoFocus);
     scroll_->setMinimumHeight(kLeastHeight);
-    scroll_->setWidget(content_);
-    scroll_->viewport()->setAutoFillBackground(false);
-    content_->setAutoFillBackground(false);
     auto* all = flatColumn(this);
     all->setSpacing(metrics::kGap);
     all->addLayout(head_);

@@ -33,8 +33,8 @@ class FlashPageView : public QWidget {
     QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) const;
 
   private:
-    QScrollArea* scroll_;
     QWidget* content_;
+    QScrollArea* scroll_;
     QVBoxLayout* head_;
     QVBoxLayout* column_;
     QVBoxLayout* foot_;

@@ -21,6 +21,7 @@
 #include "ui/thunderbots/robot_choice.h"
 #include "ui/thunderbots/thunderbots_view.h"
 #include "ui/widgets/save_file.h"
+#include "ui/widgets/scrolled.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -52,15 +53,8 @@ KickLogPanel::KickLogPanel(Bench& bench, RobotChoice& choice, KickSettings& kick
     empty_->setForegroundRole(QPalette::PlaceholderText);
     empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
     // Where the window is too low for what a sweep says of itself, it can be scrolled to.
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    QScrollArea* scroll = scrolled(sweep_, this);
     scroll->setFixedWidth(kSweepWidth);
-    scroll->setWidget(sweep_);
-    scroll->viewport()->setAutoFillBackground(false);
-    sweep_->setAutoFillBackground(false);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(metrics::kPadding, metrics::kGap, 1, metrics::kPanelRadius);
     grid->setHorizontalSpacing(kColumnGap);

@@ -11,6 +11,7 @@
 #include "ui/thunderbots/robot_choice.h"
 #include "ui/thunderbots/robot_grid.h"
 #include "ui/thunderbots/thunderbots_view.h"
+#include "ui/widgets/scrolled.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -27,15 +28,8 @@ RobotsPanel::RobotsPanel(Bench& bench, RobotChoice& choice, QWidget* parent)
     column->setContentsMargins(metrics::kGap, metrics::kGap, metrics::kGap, metrics::kGap);
     column->setSpacing(6);
     // All sixteen fit from 800 pixels on; below that they scroll.
-    auto* area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(grid_);
+    QScrollArea* area = scrolled(grid_, this);
     area->setMinimumWidth(grid_->minimumSizeHint().width());
-    area->viewport()->setAutoFillBackground(false);
-    grid_->setAutoFillBackground(false);
     column->addWidget(area, 1);
     column->addWidget(hint_);
     connect(&bench, &Bench::changed, this, &RobotsPanel::refresh);
