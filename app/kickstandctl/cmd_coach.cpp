@@ -35,13 +35,13 @@ struct Heard {
 Outcome scan(const Context& context) {
     const auto span = readSpan(context.invocation, kScanSpan);
     if (!span) return tl::unexpected(span.error());
-    CoachRunner runner(context);
-    if (auto connected = runner.connect(); !connected) return connected;
+    SessionRunner runner(context);
+    if (auto connected = connectRadio(context, runner); !connected) return connected;
     std::map<int, Heard> boats;
     std::uint64_t last = 0;
     const auto listened = runner.waitUntil(
         [&] {
-            for (const coach::TrafficEntry& entry : *runner.state().entries) {
+            for (const coach::TrafficEntry& entry : *radioOf(runner).entries) {
                 if (entry.number <= last || entry.sent) continue;
                 last = entry.number;
                 if (wire::roleOf(entry.address) != wire::Role::Towrp) continue;
@@ -83,12 +83,12 @@ Outcome scan(const Context& context) {
 Outcome monitor(const Context& context) {
     const auto span = readSpan(context.invocation, kEndless);
     if (!span) return tl::unexpected(span.error());
-    CoachRunner runner(context);
-    if (auto connected = runner.connect(); !connected) return connected;
+    SessionRunner runner(context);
+    if (auto connected = connectRadio(context, runner); !connected) return connected;
     std::uint64_t last = 0;
     const auto listened = runner.waitUntil(
         [&] {
-            for (const coach::TrafficEntry& entry : *runner.state().entries) {
+            for (const coach::TrafficEntry& entry : *radioOf(runner).entries) {
                 if (entry.number <= last) continue;
                 last = entry.number;
                 const QString from = describeAddress(entry.address);
@@ -177,6 +177,46 @@ Outcome jettison(const Context& context) {
     return once(context, coach::Jettison{}, wire::Opcode::Jettison);
 }
 
+/// Tells a velocity that is another one than the last.
+void tellVelocity(CoachPlay& play, wire::Velocity& told) {
+    const wire::Velocity velocity = radioOf(play.runner()).towrp.velocity;
+    if (velocity == told) return;
+    told = velocity;
+    play.tell(QStringLiteral("velocity"),
+              {{QStringLiteral("forward_percent"), wire::percentOf(velocity.forward)},
+               {QStringLiteral("turn_percent"), wire::percentOf(velocity.turn)}},
+              Words::tr("Velocity: %1").arg(describe(velocity)));
+}
+
+/// The morale is that of a crew which obeys: it is set once a COACH has come.
+Outcome beTheBoat(CoachPlay& play, Duration span, std::optional<int> morale) {
+    SessionRunner& runner = play.runner();
+    const TimePoint end = runner.engine().now() + span;
+    const wire::Team team = wire::teamOf(radioOf(runner).radio->settings.address);
+    if (auto started = runner.perform(coach::StartTowrp{team}); !started) return started;
+    wire::Velocity told;
+    if (morale) {
+        const auto paired = runner.waitUntil(
+            [&] {
+                tellVelocity(play, told);
+                return radioOf(runner).towrp.state == coach::TowrpState::Paired;
+            },
+            end - runner.engine().now());
+        if (!paired) return tl::unexpected(paired.error());
+        if (*paired) {
+            if (auto set = runner.perform(coach::SetMorale{*morale}); !set) return set;
+        }
+    }
+    const auto kept = runner.waitUntil(
+        [&] {
+            tellVelocity(play, told);
+            return false;
+        },
+        end - runner.engine().now());
+    if (!kept) return tl::unexpected(kept.error());
+    return {};
+}
+
 /// Plays the boat.
 Outcome towrp(const Context& context) {
     const auto span = parseSeconds(context.invocation.text("--for"), "--for");
@@ -189,34 +229,8 @@ Outcome towrp(const Context& context) {
         morale = *given;
     }
     CoachPlay play(context);
-    CoachRunner& runner = play.runner();
     Outcome outcome = play.connect();
-    if (outcome) {
-        const wire::Team team = wire::teamOf(runner.state().radio->settings.address);
-        outcome = runner.perform(coach::StartTowrp{team});
-    }
-    wire::Velocity shown;
-    if (outcome) {
-        const auto kept = runner.waitUntil(
-            [&] {
-                const coach::TowrpView& view = runner.state().towrp;
-                if (view.velocity != shown) {
-                    shown = view.velocity;
-                    play.tell(QStringLiteral("velocity"),
-                              {{QStringLiteral("forward_percent"), wire::percentOf(shown.forward)},
-                               {QStringLiteral("turn_percent"), wire::percentOf(shown.turn)}},
-                              Words::tr("Velocity: %1").arg(describe(shown)));
-                }
-                // Once it is paired; a refusal would show as a morale that stays.
-                if (morale && view.state == coach::TowrpState::Paired) {
-                    runner.give(coach::SetMorale{*morale});
-                    morale.reset();
-                }
-                return false;
-            },
-            *span);
-        if (!kept) outcome = tl::unexpected(kept.error());
-    }
+    if (outcome) outcome = beTheBoat(play, *span, morale);
     return play.end(std::move(outcome));
 }
 

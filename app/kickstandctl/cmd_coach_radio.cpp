@@ -1,6 +1,6 @@
 #include <array>
 
-#include "app/kickstandctl/coach_runner.h"
+#include "app/kickstandctl/coach_link.h"
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
@@ -51,28 +51,29 @@ void print(const Context& context, const coach::FoundRadio& radio) {
 }
 
 /// Connects, and looks for the module where it does not answer as it should.
-Outcome reach(CoachRunner& runner, const Invocation& invocation) {
-    if (auto connected = runner.connect(true); !connected) return connected;
-    if (runner.state().link == coach::LinkState::Running && !invocation.has("--find")) return {};
+Outcome reach(const Context& context, SessionRunner& runner) {
+    if (auto connected = connectRadio(context, runner, SessionRunner::Need::Open); !connected)
+        return connected;
+    if (radioOf(runner).link == coach::LinkState::Running && !context.invocation.has("--find")) return {};
     return runner.perform(coach::FindRadio{}, kFindLimit);
 }
 
 /// The answer to a command may come before the state that it led to.
-Expected<coach::FoundRadio> shown(CoachRunner& runner, const std::optional<RadioSettings>& wanted) {
+Expected<coach::FoundRadio> shown(SessionRunner& runner, const std::optional<RadioSettings>& wanted) {
     const auto there = [&] {
-        const auto& radio = runner.state().radio;
-        return runner.state().link != coach::LinkState::Setting && radio &&
+        const auto& radio = radioOf(runner).radio;
+        return radioOf(runner).link != coach::LinkState::Setting && radio &&
                (!wanted || radio->settings == *wanted);
     };
     const auto seen = runner.waitUntil(there, std::chrono::seconds(2));
     if (!seen) return tl::unexpected(seen.error());
     if (!*seen) return failed({.code = Errc::TimedOut, .subject = "radio"});
-    return *runner.state().radio;
+    return *radioOf(runner).radio;
 }
 
 Outcome get(const Context& context) {
-    CoachRunner runner(context);
-    if (auto reached = reach(runner, context.invocation); !reached) return reached;
+    SessionRunner runner(context);
+    if (auto reached = reach(context, runner); !reached) return reached;
     const auto radio = shown(runner, std::nullopt);
     if (!radio) return tl::unexpected(radio.error());
     print(context, *radio);
@@ -127,8 +128,8 @@ Expected<RadioSettings> wantedOf(const Invocation& invocation, const RadioSettin
 Outcome set(const Context& context) {
     // What is typed wrong is said before anything is touched.
     if (const auto right = wantedOf(context.invocation, {}); !right) return tl::unexpected(right.error());
-    CoachRunner runner(context);
-    if (auto reached = reach(runner, context.invocation); !reached) return reached;
+    SessionRunner runner(context);
+    if (auto reached = reach(context, runner); !reached) return reached;
     const auto present = shown(runner, std::nullopt);
     if (!present) return tl::unexpected(present.error());
     const auto wanted = wantedOf(context.invocation, present->settings);

@@ -28,7 +28,7 @@ Outcome CoachPlay::connect() {
         context_.output.value(toJson(runner_.engine(), event));
         context_.output.line(eventLine(runner_.engine(), event));
     });
-    return runner_.connect();
+    return connectRadio(context_, runner_);
 }
 
 Outcome CoachPlay::pair() {
@@ -41,7 +41,7 @@ Outcome CoachPlay::pair() {
         boat = *given;
     }
     if (auto connected = connect(); !connected) return connected;
-    return runner_.pairWith(boat, *color);
+    return pairWith(runner_, boat, *color);
 }
 
 void CoachPlay::tell(const QString& type, QJsonObject facts, const QString& text) {
@@ -52,7 +52,7 @@ void CoachPlay::tell(const QString& type, QJsonObject facts, const QString& text
 
 Outcome CoachPlay::keepFor(Duration span) {
     const auto left =
-        runner_.waitUntil([this] { return runner_.state().coach.state != coach::CoachState::Paired; }, span);
+        runner_.waitUntil([this] { return radioOf(runner_).coach.state != coach::CoachState::Paired; }, span);
     if (!left) return tl::unexpected(left.error());
     if (*left) return failed({.code = Errc::NotPaired});
     return {};
@@ -62,7 +62,7 @@ Outcome CoachPlay::awaitSent(coach::wire::Opcode opcode) {
     std::optional<coach::TrafficEntry> sent;
     const auto known = runner_.waitUntil(
         [&] {
-            for (const coach::TrafficEntry& entry : *runner_.state().entries) {
+            for (const coach::TrafficEntry& entry : *radioOf(runner_).entries) {
                 if (entry.sent && entry.message.opcode == opcode && entry.outcome) sent = entry;
             }
             return sent.has_value();
@@ -80,7 +80,7 @@ Outcome CoachPlay::awaitSent(coach::wire::Opcode opcode) {
 }
 
 Outcome CoachPlay::end(Outcome outcome) {
-    const bool began = runner_.state().connections > 0;
+    const bool began = radioOf(runner_).connections > 0;
     const bool stopped = runner_.finish();
     if (outcome && !stopped) {
         outcome = failed({.code = Errc::TimedOut, .subject = "stop"});

@@ -2,7 +2,7 @@
 
 #include <QJsonObject>
 
-#include "app/kickstandctl/coach_runner.h"
+#include "app/kickstandctl/coach_link.h"
 
 namespace kickstand::ctl {
 
@@ -12,7 +12,7 @@ class CoachPlay {
   public:
     explicit CoachPlay(const Context& context) : context_(context), runner_(context) {}
 
-    CoachRunner& runner() { return runner_; }
+    SessionRunner& runner() { return runner_; }
     /// Connects; from then on every event is told.
     Outcome connect();
     /// connect(), and pairs with `--boat` in `--color`.
@@ -28,7 +28,7 @@ class CoachPlay {
 
   private:
     const Context& context_;
-    CoachRunner runner_;
+    SessionRunner runner_;
 };
 
 /// "red" or "blue"; red where nothing was given.

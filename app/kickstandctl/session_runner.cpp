@@ -52,10 +52,11 @@ bool isAtRest(const thunderbots::Snapshot& state, TimePoint since) {
 bool isAtRest(const motionplan::Snapshot& state, TimePoint since) {
     return state.stopSentAt >= since && !state.active() && !state.request;
 }
-/// Whether no boat is paired, or the one that is has been told to stop.
+/// Whether no boat is paired, or the one that is has been told to stop. Of a line that was lost nobody knows:
+/// the boat that was driven over it was told nothing.
 bool isAtRest(const coach::Snapshot& state, TimePoint since) {
     const coach::CoachView& view = state.coach;
-    if (view.state != coach::CoachState::Paired) return true;
+    if (view.state != coach::CoachState::Paired) return state.link == coach::LinkState::Running;
     return view.sent && view.sent->isZero() && view.sentAt >= since;
 }
 
@@ -105,7 +106,7 @@ Outcome SessionRunner::connect() {
     return connect(*uri);
 }
 
-Outcome SessionRunner::connect(const LinkUri& uri) {
+Outcome SessionRunner::connect(const LinkUri& uri, Need need) {
     uri_ = uri;
     const auto opened = engine_.connect(uri);
     if (!opened) return failed(opened.error());
@@ -120,7 +121,8 @@ Outcome SessionRunner::connect(const LinkUri& uri) {
             const SessionSnapshot* current = session();
             if (current == nullptr) return false;
             const Standing link = standing();
-            return link.failed || link.searching || (link.running && snapshot_->heartbeatFresh);
+            return link.failed || link.searching || link.unready ||
+                   (link.running && snapshot_->heartbeatFresh);
         },
         kConnectLimit);
     if (!decided) return tl::unexpected(decided.error());
@@ -129,7 +131,8 @@ Outcome SessionRunner::connect(const LinkUri& uri) {
     if (!*decided) return failed(errorOf(Errc::TimedOut, toString(uri)));
     const Standing link = standing();
     if (link.error) return failed(*link.error);
-    if (!link.running) return failed(errorOf(Errc::NoDevice, toString(uri)));
+    if (link.unready && need == Need::Running) return failed(errorOf(Errc::RadioNotReady));
+    if (!link.running && !link.unready) return failed(errorOf(Errc::NoDevice, toString(uri)));
     running_ = true;
     return {};
 }
@@ -244,7 +247,9 @@ SessionRunner::Standing SessionRunner::standing() const {
     return std::visit(
         [](const auto& state) {
             using State = decltype(state.link);
-            return Standing{state.link == State::Running, state.link == State::Searching,
+            bool unready = false;
+            if constexpr (requires { State::NoModule; }) unready = state.link == State::NoModule;
+            return Standing{state.link == State::Running, unready, state.link == State::Searching,
                             state.link == State::Failed, state.error};
         },
         current->system);

@@ -23,8 +23,13 @@ class SessionRunner {
     Expected<std::vector<FoundDevice>> discover();
     /// The link that was asked for, or the only hardware there is.
     Expected<LinkUri> chooseLink();
-    /// Opens the link and waits until it runs, all robots braked.
-    Outcome connect(const LinkUri& uri);
+    /// What a command needs of its link.
+    enum class Need {
+        Running,  ///< It runs, all robots braked.
+        Open,     ///< It is open, though what it leads to may have to be set up first.
+    };
+    /// Opens the link and waits until it is as it has to be.
+    Outcome connect(const LinkUri& uri, Need need = Need::Running);
     /// chooseLink() and connect().
     Outcome connect();
     /// Waits until these robots are heard.
@@ -68,6 +73,7 @@ class SessionRunner {
     /// How the link stands, whichever system it is of.
     struct Standing {
         bool running = false;
+        bool unready = false;  ///< Open, and nothing at its end that could be used as it is.
         bool searching = false;
         bool failed = false;
         std::optional<Error> error{};

@@ -103,6 +103,30 @@ TEST(ProgramCoach, SaysWhatIsWrong) {
     EXPECT_EQ(exitOf({"pair", "--for", "1"}, "sim:coach?address=0x1234"), 1) << "another radio";
 }
 
+/// Of a line that is lost while a boat is driven over it, nobody can say that the boat was told to stop.
+TEST(ProgramCoach, ALineThatIsLostLeavesTheBoatToItsOwnTimer) {
+    std::string folder = testing::TempDir() + "kscoachXXXXXX";
+    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+    const std::string console = folder + "/console";
+    const std::string control = folder + "/control.sock";
+    {
+        Program simulator({"coach", "--pty", console, "--towrps", "5", "--control", control, "--json"}, kSim);
+        ASSERT_TRUE(simulator.waitFor("\n"));
+        Program drive({"--link", "serial:" + console + "?protocol=coach", "--json", "coach", "drive",
+                       "--forward", "100", "--for", "60"});
+        ASSERT_TRUE(drive.waitFor("\"driving\""));
+        Program unplug({"ctl", "--control", control, "unplug"}, kSim);
+        EXPECT_EQ(unplug.end().exitCode, 0);
+        const Ended ended = drive.end();
+        EXPECT_EQ(ended.exitCode, 1) << ended.out;
+        EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+        EXPECT_FALSE(endOf(ended)[QStringLiteral("stopped")].toBool(true)) << ended.out;
+    }
+    for (const std::string& file : {console, control})
+        ::unlink(file.c_str());
+    ::rmdir(folder.c_str());
+}
+
 /// Two radio modules in one simulator, each on a pseudo-terminal.
 TEST(ProgramCoach, TwoProgramsPlayThroughPseudoTerminalsThoughAFifthIsLost) {
     std::string folder = testing::TempDir() + "kscoachXXXXXX";
