@@ -2,6 +2,69 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US">
 <context>
+    <name>Charts</name>
+    <message>
+        <source>mutiny (paired)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the own boat&apos;s Result names this COACH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other COACH, or silence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result names this COACH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mutiny, or morale −10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>morale above −10, or 3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5 s without Update Morale, or Jettison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paired, stands still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assertion of Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5 s without velocity, or Jettison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>morale −10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suppress Mutiny: morale −5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3 s without Suppress Mutiny, or Jettison</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Check</name>
     <message>
         <source>wheel 1, front left</source>
@@ -5023,7 +5086,7 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 %2 s</source>
+        <source>%1 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5199,14 +5262,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Red</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Start up</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5336,6 +5391,34 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>COACH %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COACH </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red team</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue team</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost line or closed window: the boat&apos;s own timer stops it, 1 s after its last velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steers with the sticks for forward and turning. Its STOP button counts in any case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. A boat that was driven stops by its own timer, within a second of its last velocity.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6384,13 +6467,32 @@ Double-click or Enter says more.</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::HelmGamepad</name>
+    <message>
+        <source>The gamepad is gone: zero was asked for. Plug it in or wake it up, and let its sticks go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug a gamepad in. It is found at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the sticks go once: then they count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gamepad steers. Letting the sticks go stops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::HelmPad</name>
     <message>
         <source>Helm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pull, or hold the arrow keys (with Shift gently); let go to stop</source>
+        <source>Pull, or hold the arrow keys (with Shift gently); let go to stop. Left is counterclockwise</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7860,6 +7962,14 @@ microcontroller %3, flash %4</source>
         <source>%1, %2, serial number %3, firmware %4</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed; the module has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::RobotsPanel</name>
@@ -8158,6 +8268,10 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>TOWRP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP </source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -24,6 +24,7 @@
 #include "core/framing/xbee_parser.h"
 #include "core/link/paced/paced_byte_link.h"
 #include "core/link/tapped_byte_link.h"
+#include "ui/coach/chart_view.h"
 #include "ui/coach/coach_view.h"
 #include "ui/coach/helm_pad.h"
 #include "ui/coach/morale_view.h"
@@ -111,6 +112,35 @@ class RadioLinks final : public LinkProvider {
     Packets& packets_;
 };
 
+/// What is plugged in, and how it stands: the test's to change.
+struct FakePads {
+    std::vector<ui::PadInfo> plugged;
+    ui::PadState state{std::vector<double>(6, 0.0), std::vector<bool>(15, false)};
+};
+
+class FakeSource final : public ui::PadSource {
+  public:
+    explicit FakeSource(const FakePads& pads) : pads_(pads) {}
+
+    void update() override { seen_ = pads_; }
+    std::vector<ui::PadInfo> pads() const override { return seen_.plugged; }
+    std::optional<ui::PadState> state(int id) const override {
+        for (const ui::PadInfo& pad : seen_.plugged) {
+            if (pad.id == id) return seen_.state;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    const FakePads& pads_;
+    FakePads seen_;
+};
+
+// Of a standard controller.
+constexpr std::size_t kLeftY = 1;
+constexpr std::size_t kRightX = 2;
+constexpr std::size_t kStopButton = 1;
+
 class CoachWindow : public testing::Test {
   protected:
     void SetUp() override {
@@ -118,7 +148,7 @@ class CoachWindow : public testing::Test {
         options.heartbeatLimit = std::chrono::seconds(10);
         engine_ = std::make_unique<Engine>(std::make_unique<RadioLinks>(packets), options);
         client = std::make_unique<ui::EngineClient>(*engine_);
-        systems_.add(std::make_unique<ui::CoachView>());
+        systems_.add(std::make_unique<ui::CoachView>([this] { return std::make_unique<FakeSource>(pads); }));
         bench = std::make_unique<ui::Bench>(*client, systems_, *settings_);
         window = std::make_unique<ui::MainWindow>(*bench, *theme_);
         window->resize(1280, 800);
@@ -175,6 +205,22 @@ class CoachWindow : public testing::Test {
         return waitFor([this, &packet] { return packets.holds(packet); });
     }
 
+    /// Plugs a gamepad in, switches it on, and waits until its sticks count.
+    void takeGamepad() {
+        pads.plugged = {{1, "Fake pad", "0011", true}};
+        click("coachPad");
+        ASSERT_TRUE(waitFor([this] { return text("coachPadState").contains(QStringLiteral("steers")); }));
+    }
+    /// The state that a chart shows lit; empty unless it is exactly one.
+    QString lit(const char* chart) {
+        QStringList names;
+        for (const ui::ChartState& one : find<ui::ChartView>(chart)->chart().states) {
+            if (one.current) names << one.name;
+        }
+        return names.size() == 1 ? names.front() : QString();
+    }
+
+    FakePads pads;
     Packets packets;
     std::unique_ptr<ui::EngineClient> client;
     std::unique_ptr<ui::Bench> bench;
@@ -256,6 +302,103 @@ TEST_F(CoachWindow, StopSendsZeroAndHoldsItUntilItIsReArmed) {
     QTest::keyRelease(helm, Qt::Key_Down);
 }
 
+TEST_F(CoachWindow, TheSticksOfAGamepadSteerAndLettingThemGoStops) {
+    pair();
+    takeGamepad();
+    pads.state.axes[kLeftY] = -1;
+    EXPECT_TRUE(sends("af05 03 70"));
+    pads.state.axes[kRightX] = 1;
+    EXPECT_TRUE(sends("af05 03 7f"));
+    pads.state.axes[kLeftY] = 0;
+    pads.state.axes[kRightX] = 0;
+    EXPECT_TRUE(waitFor([this] { return packets.last() == "af05 03 00"; }));
+    // What rests leaves the helm to the keys.
+    auto* helm = find<ui::HelmPad>("coachHelm");
+    QTest::keyPress(helm, Qt::Key_Down);
+    EXPECT_TRUE(sends("af05 03 f0"));
+    QTest::keyRelease(helm, Qt::Key_Down);
+}
+
+TEST_F(CoachWindow, AGamepadThatIsLostStopsAndMustBeLetGoWhenItIsBack) {
+    pair();
+    takeGamepad();
+    pads.state.axes[kLeftY] = -1;
+    ASSERT_TRUE(sends("af05 03 70"));
+    pads.plugged.clear();
+    ASSERT_TRUE(waitFor([this] { return packets.last() == "af05 03 00"; }));
+    EXPECT_TRUE(text("coachPadState").contains(QStringLiteral("gone")));
+    pads.plugged = {{2, "Fake pad", "0011", true}};
+    ASSERT_TRUE(
+        waitFor([this] { return text("coachPadState").contains(QStringLiteral("Let the sticks go")); }));
+    EXPECT_TRUE(find<ui::HelmPad>("coachHelm")->asked().isZero());
+    pads.state.axes[kLeftY] = 0;
+    ASSERT_TRUE(waitFor([this] { return text("coachPadState").contains(QStringLiteral("steers")); }));
+    pads.state.axes[kLeftY] = 1;
+    EXPECT_TRUE(sends("af05 03 f0"));
+}
+
+TEST_F(CoachWindow, TheStopButtonOfAGamepadStopsAndTheStickThatIsHeldCountsForNothing) {
+    pair();
+    takeGamepad();
+    pads.state.axes[kLeftY] = -1;
+    ASSERT_TRUE(sends("af05 03 70"));
+    pads.state.buttons[kStopButton] = true;
+    ASSERT_TRUE(waitFor([this] { return client->isStopped(); }));
+    ASSERT_TRUE(waitFor([this] { return packets.last() == "af05 03 00"; }));
+    pads.state.buttons[kStopButton] = false;
+    client->rearm();
+    ASSERT_TRUE(waitFor([this] { return !client->isStopped(); }));
+    const TimePoint rearmed = client->now();
+    ASSERT_TRUE(
+        waitFor([this, rearmed] { return state()->coach.sentAt > rearmed + std::chrono::milliseconds(50); }));
+    EXPECT_EQ(packets.last(), "af05 03 00");
+    EXPECT_TRUE(text("coachPadState").contains(QStringLiteral("Let the sticks go")));
+}
+
+TEST_F(CoachWindow, TheChartsShowOneStateLitAndTheTimersThatRun) {
+    pair();
+    ASSERT_TRUE(waitFor([this] { return lit("coachChart") == QStringLiteral("paired"); }));
+    const ui::Chart& chart = find<ui::ChartView>("coachChart")->chart();
+    EXPECT_FALSE(chart.timers.empty());
+    for (const ui::ChartArrow& arrow : chart.arrows) {
+        EXPECT_LT(arrow.from, chart.states.size());
+        EXPECT_LT(arrow.to, chart.states.size());
+        EXPECT_NE(arrow.from, arrow.to);
+        EXPECT_FALSE(arrow.fires.isEmpty());
+    }
+    // Each state can be come to and left, but for the first one, which nothing leads back to.
+    for (std::size_t one = 0; one < chart.states.size(); ++one) {
+        const auto leads = [one](const ui::ChartArrow& arrow) { return arrow.to == one; };
+        const auto leaves = [one](const ui::ChartArrow& arrow) { return arrow.from == one; };
+        EXPECT_EQ(std::any_of(chart.arrows.begin(), chart.arrows.end(), leads), one != 0);
+        EXPECT_TRUE(std::any_of(chart.arrows.begin(), chart.arrows.end(), leaves));
+    }
+    click("coachMayJettison");
+    click("coachJettison");
+    ASSERT_TRUE(waitFor([this] { return lit("coachChart") == QStringLiteral("not paired"); }));
+}
+
+TEST_F(CoachWindow, SaysThatTheBoatsOwnTimerStopsItWhenTheLineIsLost) {
+    pair();
+    EXPECT_TRUE(text("coachOwnTimer").contains(QStringLiteral("own timer")));
+    bench->submit(SimPerform{"plugged", -1, 0});
+    ASSERT_TRUE(waitFor([this] { return state()->link == coach::LinkState::Searching; }));
+    ASSERT_TRUE(waitFor([this] { return text("coachEmpty").contains(QStringLiteral("own timer")); }));
+}
+
+TEST_F(CoachWindow, ARefusedCommandIsToldInItsPanel) {
+    connectTo("sim:coach");
+    ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("coachStart")->isEnabled(); }));
+    find<QSpinBox>("coachTeam")->setFocus();
+    find<QSpinBox>("coachTeam")->setValue(9);
+    click("coachStart");
+    EXPECT_TRUE(waitFor([this] { return text("coachNotice").contains(QStringLiteral("COACH 9")); }))
+        << text("coachNotice").toStdString();
+    click("towrpStart");
+    EXPECT_TRUE(waitFor([this] { return text("towrpNotice").contains(QStringLiteral("TOWRP")); }))
+        << text("towrpNotice").toStdString();
+}
+
 TEST_F(CoachWindow, FreeCommandsGoToTheBoat) {
     pair();
     click("coachDigital");
@@ -291,6 +434,18 @@ TEST_F(CoachWindow, ANamedSeriesOfActionsQuellsAMutiny) {
         return std::find(history.begin(), history.end(), -5.0F) != history.end();
     }));
     EXPECT_EQ(state()->coach.state, CoachState::Paired);
+}
+
+TEST_F(CoachWindow, TheSeriesIsRememberedForTheNextConnection) {
+    connectTo("sim:coach");
+    auto* names = find<QLineEdit>("coachSeries");
+    names->setText(QStringLiteral("Rum, Plank"));
+    QTest::keyClick(names, Qt::Key_Return);
+    ASSERT_TRUE(waitFor([this] { return state()->series.size() == 2; }));
+    bench->disconnectAll();
+    ASSERT_TRUE(waitFor([this] { return state() == nullptr; }));
+    connectTo("sim:coach");
+    EXPECT_TRUE(waitFor([this] { return state()->series == std::vector<std::string>{"Rum", "Plank"}; }));
 }
 
 TEST_F(CoachWindow, JettisonWantsTwoGesturesAndThenAnotherBoatIsChosen) {
@@ -345,6 +500,8 @@ TEST_F(CoachWindow, AFreshModuleIsFoundSetAndReadBack) {
     click("radioUse");
     EXPECT_EQ(find<QSpinBox>("radioAddress")->value(), 0xBC07);
     EXPECT_FALSE(text("radioChanges").isEmpty());
+    EXPECT_TRUE(text("radioHeld0").contains(QStringLiteral("0x0000"))) << text("radioHeld0").toStdString();
+    EXPECT_TRUE(text("radioHeld1").isEmpty());
     ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("radioApply")->isEnabled(); }));
     click("radioApply");
     ASSERT_TRUE(waitFor([this] { return state()->link == coach::LinkState::Running; }));

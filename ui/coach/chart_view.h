@@ -6,38 +6,60 @@
 
 namespace kickstand::ui {
 
-/// One state of a chart.
+/// One state of a chart, and where it stands: in columns from the left and rows from the top.
 struct ChartState {
     QString name;
+    double column = 0;
+    int row = 0;
     bool current = false;
 };
-/// A timer that runs: what it does, and which part of it is over (0-1).
+/// A transition between two states, by their places in the list, and what fires it.
+struct ChartArrow {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    QString fires;
+    bool below = false;  ///< Goes below everything else, where others stand between the two.
+};
+/// A timer that runs: what it does when it is over, and which part of it is over (0-1).
 struct ChartTimer {
     QString name;
     double over = 0;
     double left_s = 0;
 };
+struct Chart {
+    std::vector<ChartState> states;
+    std::vector<ChartArrow> arrows;
+    std::vector<ChartTimer> timers;
+    double timersColumn = 0;  ///< Where the timers stand in the lower row: where no arrow is.
+};
 
-/// The states of one side in a row, the one that it is in marked, with the timers that run below.
+/// A state chart of two rows: what the states are, the one that it is in lit, what leads from one to another,
+/// and the timers that run.
 class ChartView final : public QWidget {
     Q_OBJECT
   public:
     explicit ChartView(QWidget* parent = nullptr);
 
-    void show(std::vector<ChartState> states, std::vector<ChartTimer> timers);
+    void show(Chart chart);
+    const Chart& chart() const { return chart_; }
 
-    QSize sizeHint() const override { return {480, 120}; }
-    QSize minimumSizeHint() const override { return {320, 112}; }
+    QSize sizeHint() const override { return {720, 168}; }
+    QSize minimumSizeHint() const override { return {560, 152}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    void drawStates(QPainter& painter, const QRectF& row);
-    void drawTimers(QPainter& painter, const QRectF& row);
+    QRectF boxOf(const ChartState& state) const;
+    void drawState(QPainter& painter, const ChartState& state) const;
+    void drawArrow(QPainter& painter, const ChartArrow& arrow) const;
+    void drawAcross(QPainter& painter, const QRectF& from, const QRectF& to, const QString& fires) const;
+    void drawBelow(QPainter& painter, const QRectF& from, const QRectF& to, const QString& fires) const;
+    void drawUp(QPainter& painter, const QRectF& from, const QRectF& to, const QString& fires) const;
+    void drawDown(QPainter& painter, const QRectF& from, const QRectF& to, const QString& fires) const;
+    void drawTimers(QPainter& painter) const;
 
-    std::vector<ChartState> states_;
-    std::vector<ChartTimer> timers_;
+    Chart chart_;
 };
 
 }  // namespace kickstand::ui

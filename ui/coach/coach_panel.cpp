@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -14,9 +15,10 @@
 
 #include "core/engine/describe_coach.h"
 #include "core/telemetry/store.h"
-#include "ui/coach/chart_view.h"
+#include "ui/coach/charts.h"
 #include "ui/coach/coach_view.h"
 #include "ui/coach/conversation_view.h"
+#include "ui/coach/helm_gamepad.h"
 #include "ui/coach/helm_pad.h"
 #include "ui/coach/morale_view.h"
 #include "ui/shell/bench.h"
@@ -31,8 +33,8 @@ namespace {
 /// What the morale's history shows: a minute, in pieces of half a second.
 constexpr std::size_t kHistoryPieces = 120;
 constexpr Duration kHistoryPiece = std::chrono::milliseconds(500);
+constexpr const char* kSeriesSetting = "coach/series";
 constexpr int kMostTeams = 255;
-
 QLabel* label(const char* name, int size, QWidget* parent) {
     auto* made = new QLabel(parent);
     made->setObjectName(QString::fromLatin1(name));
@@ -50,28 +52,28 @@ QVBoxLayout* column() {
 
 }  // namespace
 
-CoachPanel::CoachPanel(Bench& bench, QWidget* parent) : Panel(bench, parent) {
+CoachPanel::CoachPanel(Bench& bench, MakePadSource makePads, QWidget* parent) : Panel(bench, parent) {
     empty_ = label("coachEmpty", metrics::kTextSize, this);
     body_ = new QWidget(this);
     auto* grid = new QGridLayout(body_);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(metrics::kPadding);
     grid->addLayout(buildBoats(), 0, 0);
-    grid->addLayout(buildHelm(), 0, 1);
+    grid->addLayout(buildHelm(std::move(makePads)), 0, 1);
     grid->addLayout(buildCrew(), 0, 2);
     chart_ = new ChartView(body_);
-    conversation_ = new ConversationView(bench, body_);
-    conversation_->setObjectName(QStringLiteral("coachConversation"));
+    chart_->setObjectName(QStringLiteral("coachChart"));
     grid->addWidget(chart_, 1, 0, 1, 3);
-    grid->addWidget(conversation_, 2, 0, 1, 3);
     grid->setColumnStretch(0, 2);
     grid->setColumnStretch(2, 2);
-    grid->setRowStretch(2, 1);
+    grid->setRowStretch(0, 1);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
     all->addWidget(empty_);
     all->addWidget(body_);
     connect(&bench, &Bench::changed, this, &CoachPanel::refresh);
+    connect(&bench, &Bench::sessionChanged, this, &CoachPanel::recallSeries);
+    recallSeries();
     refresh();
 }
 
@@ -86,11 +88,12 @@ QVBoxLayout* CoachPanel::buildBoats() {
     team_ = new QSpinBox(body_);
     team_->setObjectName(QStringLiteral("coachTeam"));
     team_->setRange(0, kMostTeams);
+    team_->setPrefix(tr("COACH "));
     team_->setAccessibleName(tr("Team of this COACH"));
     color_ = new QComboBox(body_);
     color_->setObjectName(QStringLiteral("coachColor"));
     color_->setAccessibleName(tr("Team color"));
-    color_->addItems({tr("Red"), tr("Blue")});
+    color_->addItems({tr("Red team"), tr("Blue team")});
     start_ = new QPushButton(tr("Start up"), body_);
     start_->setObjectName(QStringLiteral("coachStart"));
     connect(start_, &QPushButton::clicked, this, [this] {
@@ -125,13 +128,20 @@ QVBoxLayout* CoachPanel::buildBoats() {
     for (QWidget* widget : std::initializer_list<QWidget*>{pair_, mayJettison_, jettison_})
         choice->addWidget(widget);
     QVBoxLayout* made = column();
+    QLabel* ownTimer = label("coachOwnTimer", metrics::kSmallTextSize, body_);
+    ownTimer->setText(
+        tr("Lost line or closed window: the boat's own timer stops it, 1 s after its last velocity."));
+    notice_ = label("coachNotice", metrics::kSmallTextSize, body_);
+    notice_->hide();
     made->addLayout(role);
     made->addWidget(boats_, 1);
     made->addLayout(choice);
+    made->addWidget(notice_);
+    made->addWidget(ownTimer);
     return made;
 }
 
-QVBoxLayout* CoachPanel::buildHelm() {
+QVBoxLayout* CoachPanel::buildHelm(MakePadSource makePads) {
     helm_ = new HelmPad(body_);
     helm_->setObjectName(QStringLiteral("coachHelm"));
     connect(helm_, &HelmPad::steered, this, [this](int forward, int turn) {
@@ -139,10 +149,24 @@ QVBoxLayout* CoachPanel::buildHelm() {
         if (snapshot != nullptr && snapshot->coach.state == CoachState::Paired)
             submit(Steer{{forward, turn}, true});
     });
+    gamepad_ = new HelmGamepad(bench(), *helm_, std::move(makePads), this);
+    padOn_ = new QPushButton(tr("Gamepad"), body_);
+    padOn_->setObjectName(QStringLiteral("coachPad"));
+    padOn_->setCheckable(true);
+    padOn_->setToolTip(
+        tr("Steers with the sticks for forward and turning. Its STOP button counts in any case."));
+    padState_ = label("coachPadState", metrics::kSmallTextSize, body_);
+    connect(padOn_, &QPushButton::toggled, gamepad_, &HelmGamepad::setOn);
+    connect(gamepad_, &HelmGamepad::changed, padState_,
+            [this] { padState_->setText(gamepad_->stateText()); });
     told_ = label("coachTold", metrics::kSmallTextSize, body_);
+    auto* below = new QVBoxLayout;
+    below->setSpacing(4);
+    for (QWidget* widget : std::initializer_list<QWidget*>{told_, padOn_, padState_})
+        below->addWidget(widget);
     QVBoxLayout* made = column();
     made->addWidget(helm_, 1);
-    made->addWidget(told_);
+    made->addLayout(below);
     return made;
 }
 
@@ -180,7 +204,9 @@ QVBoxLayout* CoachPanel::buildCrew() {
     made->addWidget(actions_);
     made->addLayout(crew);
     made->addLayout(free);
-    made->addStretch(1);
+    conversation_ = new ConversationView(bench(), body_);
+    conversation_->setObjectName(QStringLiteral("coachConversation"));
+    made->addWidget(conversation_, 1);
     return made;
 }
 
@@ -204,18 +230,42 @@ void CoachPanel::buildSeries(const std::vector<std::string>& actions) {
 }
 
 void CoachPanel::nameSeries() {
+    setSeries(names_->text(), [this, names = names_->text()](const Result<void>& result) {
+        showRefusal(result);
+        if (result) bench().settings().setValue(kSeriesSetting, names);
+    });
+}
+
+void CoachPanel::setSeries(const QString& names, const EngineClient::Answered& answered) {
     SetSeries series;
-    for (const QString& name : names_->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
+    for (const QString& name : names.split(QLatin1Char(','), Qt::SkipEmptyParts))
         series.actions.push_back(name.trimmed().toStdString());
-    submit(series);
+    bench().submit(SystemCommand{coach::Command{series}}, this, answered);
+}
+
+/// A session knows nothing of the series that was named in the last one.
+void CoachPanel::recallSeries() {
+    const QString names = bench().settings().value(kSeriesSetting).toString();
+    if (!names.isEmpty() && coachOf(bench().session()) != nullptr) setSeries(names, {});
+}
+
+void CoachPanel::showRefusal(const Result<void>& result) {
+    notice_->setText(result ? QString() : describe(result.error()).line());
+    notice_->setVisible(!result);
 }
 
 void CoachPanel::submit(const coach::Command& command) {
-    bench().submit(SystemCommand{command});
+    bench().submit(SystemCommand{command}, this, [this](const Result<void>& result) { showRefusal(result); });
 }
 
 void CoachPanel::closed() {
+    padOn_->setChecked(false);
     helm_->letGo();
+}
+
+void CoachPanel::hideEvent(QHideEvent* event) {
+    gamepad_->awaitNeutral();
+    Panel::hideEvent(event);
 }
 
 std::optional<Team> CoachPanel::chosenBoat() const {
@@ -244,6 +294,12 @@ void CoachPanel::refresh() {
                "simulated boats."));
         return;
     }
+    if (snapshot->link == LinkState::Searching) {
+        empty_->setText(tr("%1. A boat that was driven stops by its own timer, within a second of its last "
+                           "velocity.")
+                            .arg(describe(snapshot->link)));
+        return;
+    }
     if (!ready) {
         empty_->setText(
             tr("%1. The Radio panel looks for the module and sets it up.").arg(describe(snapshot->link)));
@@ -253,8 +309,9 @@ void CoachPanel::refresh() {
     showBoats(*snapshot);
     showHelm(*snapshot);
     showCrew(*snapshot);
-    showChart(*snapshot);
+    chart_->show(coachChart(*snapshot));
     conversation_->show(snapshot->entries);
+    setNote(snapshot->role == wire::Role::Coach ? tr("COACH %1").arg(snapshot->coach.team) : QString());
 }
 
 void CoachPanel::showBoats(const Snapshot& snapshot) {
@@ -285,7 +342,7 @@ void CoachPanel::fillBoats(const Snapshot& snapshot) {
                                   ? tr("paired with this COACH")
                               : boat.coach ? tr("obeys COACH %1").arg(*boat.coach)
                                            : tr("available");
-        const QStringList texts{QString::number(boat.team), tr("%1 dBm").arg(boat.rssi_dBm),
+        const QStringList texts{QString::number(boat.team), tr("%1 dBm").arg(signedNumber(boat.rssi_dBm)),
                                 tr("%1 s ago").arg(seconds(snapshot.time - boat.heard), 0, 'f', 0), state};
         for (int place = 0; place < texts.size(); ++place) {
             QTableWidgetItem* item = boats_->item(row, place);
@@ -300,7 +357,10 @@ void CoachPanel::fillBoats(const Snapshot& snapshot) {
 void CoachPanel::showHelm(const Snapshot& snapshot) {
     const coach::CoachView& view = snapshot.coach;
     const bool paired = view.state == CoachState::Paired;
-    if (!paired || bench().client().isStopped()) helm_->letGo();
+    if (!paired || bench().client().isStopped()) {
+        helm_->letGo();
+        gamepad_->awaitNeutral();
+    }
     helm_->setEnabled(paired);
     const bool answered = view.answered == view.sent;
     helm_->setTold(paired ? view.sent : std::nullopt, answered);
@@ -348,20 +408,6 @@ void CoachPanel::showCrew(const Snapshot& snapshot) {
                                                    .arg(left_s, 0, 'f', 1)
                                                    .arg(view.mutiny->done)
                                                    .arg(snapshot.series.size()));
-}
-
-void CoachPanel::showChart(const Snapshot& snapshot) {
-    std::vector<ChartState> states;
-    for (const CoachState state :
-         {CoachState::Startup, CoachState::NotPaired, CoachState::Asserting, CoachState::Paired})
-        states.push_back({describe(state), state == snapshot.coach.state});
-    std::vector<ChartTimer> timers;
-    for (const RunningTimer& timer : snapshot.coach.timers) {
-        const double left_s = std::max(0.0, seconds(timer.due - snapshot.time));
-        timers.push_back({describe(timer.kind), 1 - left_s / seconds(timer.span), left_s});
-    }
-    chart_->show(std::move(states), std::move(timers));
-    setNote(snapshot.role == wire::Role::Coach ? tr("COACH %1").arg(snapshot.coach.team) : QString());
 }
 
 }  // namespace kickstand::ui

@@ -2,6 +2,8 @@
 
 #include "core/coach/commands.h"
 #include "core/coach/snapshot.h"
+#include "ui/gamepad/pad_follower.h"
+#include "ui/shell/engine_client.h"
 #include "ui/shell/panel.h"
 
 class QCheckBox;
@@ -18,6 +20,7 @@ namespace kickstand::ui {
 
 class ChartView;
 class ConversationView;
+class HelmGamepad;
 class HelmPad;
 class MoraleView;
 
@@ -25,12 +28,15 @@ class MoraleView;
 class CoachPanel final : public Panel {
     Q_OBJECT
   public:
-    explicit CoachPanel(Bench& bench, QWidget* parent = nullptr);
+    CoachPanel(Bench& bench, MakePadSource makePads, QWidget* parent = nullptr);
     void closed() override;
+
+  protected:
+    void hideEvent(QHideEvent* event) override;
 
   private:
     QVBoxLayout* buildBoats();
-    QVBoxLayout* buildHelm();
+    QVBoxLayout* buildHelm(MakePadSource makePads);
     QVBoxLayout* buildCrew();
     void buildSeries(const std::vector<std::string>& actions);
     void refresh();
@@ -38,12 +44,14 @@ class CoachPanel final : public Panel {
     void showHelm(const coach::Snapshot& snapshot);
     std::vector<float> moraleHistory(const coach::Snapshot& snapshot) const;
     void showCrew(const coach::Snapshot& snapshot);
-    void showChart(const coach::Snapshot& snapshot);
     void fillBoats(const coach::Snapshot& snapshot);
     std::optional<coach::Team> chosenBoat() const;
     void pairChosen();
     void offerPair();
     void nameSeries();
+    void recallSeries();
+    void setSeries(const QString& names, const EngineClient::Answered& answered);
+    void showRefusal(const Result<void>& result);
     void submit(const coach::Command& command);
     QPushButton* button(const char* name, const QString& text, const coach::Command& command);
 
@@ -56,6 +64,9 @@ class CoachPanel final : public Panel {
     QCheckBox* mayJettison_;
     QPushButton* jettison_;
     HelmPad* helm_;
+    HelmGamepad* gamepad_;
+    QPushButton* padOn_;
+    QLabel* padState_;
     QLabel* told_;
     QPushButton* digital_;
     QSpinBox* percent_;
@@ -68,6 +79,7 @@ class CoachPanel final : public Panel {
     std::vector<std::string> series_;
     QPushButton* suppress_;
     QLineEdit* names_;
+    QLabel* notice_;  ///< Why the last command was not done.
     QLabel* empty_;
     QWidget* body_;
     ChartView* chart_;

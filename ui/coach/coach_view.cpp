@@ -7,6 +7,7 @@
 #include "ui/coach/coach_panel.h"
 #include "ui/coach/radio_panel.h"
 #include "ui/coach/towrp_panel.h"
+#include "ui/gamepad/sdl_pads.h"
 
 namespace kickstand::ui {
 
@@ -36,13 +37,17 @@ const Snapshot* coachOf(const SessionSnapshot* session) {
     return session == nullptr ? nullptr : std::get_if<Snapshot>(&session->system);
 }
 
+CoachView::CoachView(MakePadSource makePads) : makePads_(std::move(makePads)) {
+    if (!makePads_) makePads_ = [] { return std::make_unique<SdlPads>(); };
+}
+
 QString CoachView::name() const {
     return Words::tr("COACH and TOWRP");
 }
 
 std::vector<PanelEntry> CoachView::panels() const {
     return {{QStringLiteral("coach"), Words::tr("COACH"), help("steer-a-boat"), PanelPlace::Work,
-             [](Bench& bench) -> Panel* { return new CoachPanel(bench); }},
+             [this](Bench& bench) -> Panel* { return new CoachPanel(bench, makePads_); }},
             {QStringLiteral("towrp"), Words::tr("TOWRP"), help("be-the-boat"), PanelPlace::Work,
              [](Bench& bench) -> Panel* { return new TowrpPanel(bench); }},
             {QStringLiteral("radio"), Words::tr("Radio"), help("set-up-a-radio-module"), PanelPlace::Work,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/coach/snapshot.h"
+#include "ui/gamepad/pad_follower.h"
 #include "ui/shell/system_view.h"
 
 namespace kickstand::ui {
@@ -11,6 +12,9 @@ const coach::Snapshot* coachOf(const SessionSnapshot* session);
 /// What the shell shows of COACHes and TOWRPs, and their panels.
 class CoachView final : public SystemView {
   public:
+    /// Without anything said gamepads are those that are plugged in.
+    explicit CoachView(MakePadSource makePads = {});
+
     QString name() const override;
     std::vector<PanelEntry> panels() const override;
     std::vector<LinkOffer> offers() const override;
@@ -26,6 +30,9 @@ class CoachView final : public SystemView {
     QString actionText(const SimAction& action) const override;
     std::vector<std::pair<QString, double>> actionChoices(const SimAction& action) const override;
     QString unitText(int unit) const override;
+
+  private:
+    MakePadSource makePads_;
 };
 
 }  // namespace kickstand::ui

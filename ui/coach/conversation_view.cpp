@@ -25,7 +25,8 @@ QString ConversationView::lineOf(const coach::TrafficEntry& entry) const {
         QDateTime::fromMSecsSinceEpoch(time.count()).toString(QStringLiteral("HH:mm:ss.zzz"));
     const QString whom = describeAddress(entry.address);
     const QString what = describe(entry.message);
-    if (!entry.sent) return tr("%1  from %2  %3  (%4 dBm)").arg(clock, whom, what).arg(entry.rssi_dBm);
+    if (!entry.sent)
+        return tr("%1  from %2  %3  (%4 dBm)").arg(clock, whom, what, signedNumber(entry.rssi_dBm));
     const QString outcome = entry.outcome ? describeOutcome(*entry.outcome) : tr("on its way");
     return tr("%1  to %2  %3  (%4)").arg(clock, whom, what, outcome);
 }

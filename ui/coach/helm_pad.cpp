@@ -26,7 +26,8 @@ constexpr int kFineLevel = 3;
 HelmPad::HelmPad(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Helm"));
-    setToolTip(tr("Pull, or hold the arrow keys (with Shift gently); let go to stop"));
+    setToolTip(
+        tr("Pull, or hold the arrow keys (with Shift gently); let go to stop. Left is counterclockwise"));
 }
 
 QRectF HelmPad::field() const {
@@ -63,6 +64,12 @@ void HelmPad::letGo() {
     pulled_ = false;
     keys_.clear();
     ask({});
+}
+
+bool HelmPad::hold(const Velocity& velocity) {
+    if (isPulled() || !isEnabled() || !isVisible()) return false;
+    ask(velocity);
+    return true;
 }
 
 void HelmPad::pull(const QPointF& at) {
@@ -110,7 +117,7 @@ void HelmPad::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void HelmPad::focusOutEvent(QFocusEvent* event) {
-    letGo();
+    if (isPulled()) letGo();
     QWidget::focusOutEvent(event);
 }
 
@@ -128,8 +135,22 @@ void HelmPad::paintEvent(QPaintEvent*) {
     painter.setBrush(tokens.surface);
     painter.drawRoundedRect(place.adjusted(-kRing, -kRing, kRing, kRing), metrics::kPanelRadius,
                             metrics::kPanelRadius);
-    painter.setPen(QPen(tokens.grid, 1));
+    drawLevels(painter, place);
+    if (told_) {
+        painter.setPen(QPen(answered_ ? tokens.ok : tokens.warn, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(placeOf(*told_), kRing, kRing);
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isEnabled() ? tokens.accent : tokens.muted);
+    painter.drawEllipse(placeOf(asked_), kThumb, kThumb);
+}
+
+/// A line for each level there is, the middle ones stronger.
+void HelmPad::drawLevels(QPainter& painter, const QRectF& place) const {
+    const Tokens& tokens = tokensOf(palette());
     for (const int percent : kLevelPercent) {
+        painter.setPen(QPen(percent == 0 ? tokens.line : tokens.grid, 1));
         const double x = percent / 200.0 * place.width();
         const double y = percent / 200.0 * place.height();
         for (const int sign : {-1, 1}) {
@@ -139,14 +160,6 @@ void HelmPad::paintEvent(QPaintEvent*) {
                              QPointF(place.right(), place.center().y() + sign * y));
         }
     }
-    if (told_) {
-        painter.setPen(QPen(answered_ ? tokens.ok : tokens.warn, 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(placeOf(*told_), kRing, kRing);
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(isEnabled() ? tokens.accent : tokens.muted);
-    painter.drawEllipse(placeOf(asked_), kThumb, kThumb);
 }
 
 }  // namespace kickstand::ui

@@ -19,6 +19,9 @@ class HelmPad final : public QWidget {
     void setTold(const std::optional<coach::wire::Velocity>& velocity, bool answered);
     /// Ends a pull as if everything had been let go.
     void letGo();
+    /// Something beside pointer and keys asks for this, as a gamepad does. Not taken, and false, while one of
+    /// them pulls, or where the helm cannot be seen or used.
+    bool hold(const coach::wire::Velocity& velocity);
     const coach::wire::Velocity& asked() const { return asked_; }
 
     QSize sizeHint() const override { return {208, 208}; }
@@ -40,9 +43,11 @@ class HelmPad final : public QWidget {
 
   private:
     QRectF field() const;
+    void drawLevels(QPainter& painter, const QRectF& place) const;
     QPointF placeOf(const coach::wire::Velocity& velocity) const;
     void pull(const QPointF& at);
     void followKeys(bool fine);
+    bool isPulled() const { return pulled_ || !keys_.empty(); }
     void ask(const coach::wire::Velocity& velocity);
 
     coach::wire::Velocity asked_;

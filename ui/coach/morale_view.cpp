@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/coach/snapshot.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -12,6 +13,9 @@ namespace {
 
 constexpr double kRing = 6;
 constexpr int kNumberSize = 32;
+/// What the history's marks take.
+constexpr double kMarkWidth = 28;
+constexpr double kMarkHeight = 16;
 /// How a painter counts angles: in sixteenths of a degree, from the right, counterclockwise.
 constexpr int kTop = 90 * 16;
 constexpr int kWhole = 360 * 16;
@@ -61,9 +65,8 @@ void MoraleView::drawNumber(QPainter& painter, const QRectF& place) {
 
 void MoraleView::drawHistory(QPainter& painter, const QRectF& place) {
     const Tokens& tokens = tokensOf(palette());
-    painter.setPen(QPen(tokens.grid, 1));
-    painter.drawLine(place.bottomLeft(), place.bottomRight());
-    float lowest = 0;
+    // From the mutiny up, so that one sees how far it is away.
+    float lowest = coach::wire::kMutinyMorale;
     float highest = 0;
     for (const float value : history_) {
         if (!std::isfinite(value)) continue;
@@ -71,6 +74,18 @@ void MoraleView::drawHistory(QPainter& painter, const QRectF& place) {
         highest = std::max(highest, value);
     }
     const double span = std::max(1.0F, highest - lowest);
+    const auto heightOf = [&](double value) {
+        return place.bottom() - place.height() * (value - lowest) / span;
+    };
+    painter.setFont(textFont(metrics::kSmallTextSize));
+    for (const int mark : {0, coach::wire::kMutinyMorale}) {
+        const double y = heightOf(mark);
+        painter.setPen(QPen(tokens.grid, 1));
+        painter.drawLine(QPointF(place.left(), y), QPointF(place.right() - kMarkWidth, y));
+        painter.setPen(tokens.muted);
+        painter.drawText(QRectF(place.right() - kMarkWidth, y - kMarkHeight / 2, kMarkWidth, kMarkHeight),
+                         Qt::AlignRight | Qt::AlignVCenter, signedNumber(mark));
+    }
     QPainterPath path;
     bool drawing = false;
     for (std::size_t i = 0; i < history_.size(); ++i) {
@@ -78,9 +93,9 @@ void MoraleView::drawHistory(QPainter& painter, const QRectF& place) {
             drawing = false;
             continue;
         }
-        const double x =
-            place.left() + place.width() * static_cast<double>(i + 1) / static_cast<double>(history_.size());
-        const QPointF at(x, place.bottom() - place.height() * (history_[i] - lowest) / span);
+        const double x = place.left() + (place.width() - kMarkWidth) * static_cast<double>(i + 1) /
+                                            static_cast<double>(history_.size());
+        const QPointF at(x, heightOf(history_[i]));
         drawing ? path.lineTo(at) : path.moveTo(at);
         drawing = true;
     }

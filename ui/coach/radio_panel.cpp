@@ -20,6 +20,12 @@ using namespace coach;
 
 namespace {
 
+constexpr int kFieldWidth = 200;
+
+QString hex(unsigned value, int digits) {
+    return QStringLiteral("0x%1").arg(value, digits, 16, QLatin1Char('0'));
+}
+
 enum Preset { kCoachPreset, kTowrpPreset, kDongle0, kDongle1, kRobot0, kRobot1 };
 
 QSpinBox* hexBox(const char* name, int lowest, int highest, QWidget* parent) {
@@ -48,6 +54,7 @@ RadioPanel::RadioPanel(Bench& bench, QWidget* parent)
       baud_(new QComboBox(this)),
       name_(new QLineEdit(this)),
       changes_(new QLabel(this)),
+      notice_(new QLabel(this)),
       apply_(new QPushButton(tr("Apply"), this)),
       undo_(new QPushButton(tr("Undo"), this)) {
     build();
@@ -91,16 +98,27 @@ void RadioPanel::build() {
     undo_->setObjectName(QStringLiteral("radioUndo"));
     state_->setObjectName(QStringLiteral("radioState"));
     state_->setWordWrap(true);
+    notice_->setObjectName(QStringLiteral("radioNotice"));
+    notice_->setWordWrap(true);
     auto* form = new QFormLayout;
     form->setSpacing(metrics::kGap);
-    form->addRow(tr("Address"), address_);
-    form->addRow(tr("Channel"), channel_);
-    form->addRow(tr("Network (PAN)"), pan_);
-    form->addRow(tr("Mode"), mode_);
-    form->addRow(tr("Baud"), baud_);
-    form->addRow(tr("Node name"), name_);
-    for (QWidget* field : std::initializer_list<QWidget*>{address_, channel_, pan_, mode_, baud_, name_})
-        field->setAccessibleName(qobject_cast<QLabel*>(form->labelForField(field))->text());
+    const std::array<std::pair<QString, QWidget*>, 6> fields{{{tr("Address"), address_},
+                                                              {tr("Channel"), channel_},
+                                                              {tr("Network (PAN)"), pan_},
+                                                              {tr("Mode"), mode_},
+                                                              {tr("Baud"), baud_},
+                                                              {tr("Node name"), name_}}};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto& [words, field] = fields.at(i);
+        field->setAccessibleName(words);
+        field->setFixedWidth(kFieldWidth);
+        held_.at(i) = new QLabel(this);
+        held_.at(i)->setObjectName(QStringLiteral("radioHeld%1").arg(i));
+        auto* row = new QHBoxLayout;
+        row->addWidget(field);
+        row->addWidget(held_.at(i), 1);
+        form->addRow(words, row);
+    }
     auto* presets = new QHBoxLayout;
     for (QWidget* widget : std::initializer_list<QWidget*>{preset_, number_, use_})
         presets->addWidget(widget);
@@ -117,11 +135,14 @@ void RadioPanel::build() {
     all->addLayout(presets);
     all->addLayout(form);
     all->addLayout(ends);
+    all->addWidget(notice_);
     all->addStretch(1);
 }
 
 void RadioPanel::submit(const coach::Command& command) {
-    bench().submit(SystemCommand{command});
+    bench().submit(SystemCommand{command}, this, [this](const Result<void>& result) {
+        notice_->setText(result ? QString() : describe(result.error()).line());
+    });
 }
 
 RadioSettings RadioPanel::draft() const {
@@ -163,8 +184,25 @@ void RadioPanel::usePreset() {
     }
 }
 
+void RadioPanel::showHeld(const RadioSettings& draft) {
+    const RadioSettings held = read_.value_or(draft);
+    const std::array<QString, 6> texts{draft.address == held.address ? QString() : hex(held.address, 4),
+                                       draft.channel == held.channel ? QString() : hex(held.channel, 2),
+                                       draft.pan == held.pan ? QString() : hex(held.pan, 4),
+                                       draft.mode == held.mode ? QString() : describe(held.mode),
+                                       draft.baud == held.baud ? QString() : QString::number(held.baud),
+                                       draft.name == held.name ? QString()
+                                       : held.name.empty()     ? tr("none")
+                                                               : QString::fromStdString(held.name)};
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        held_.at(i)->setText(texts.at(i).isEmpty() ? QString()
+                                                   : tr("changed; the module has %1").arg(texts.at(i)));
+}
+
 void RadioPanel::showChanges() {
-    const bool changed = read_ && draft() != *read_;
+    const RadioSettings wanted = draft();
+    const bool changed = read_ && wanted != *read_;
+    showHeld(wanted);
     changes_->setText(changed ? tr("Changed, not applied") : QString());
     const Snapshot* snapshot = coachOf(bench().session());
     const bool may =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/coach/commands.h"
 #include "core/coach/snapshot.h"
 #include "ui/shell/panel.h"
@@ -25,6 +27,7 @@ class RadioPanel final : public Panel {
     void showDraft(const coach::RadioSettings& settings);
     coach::RadioSettings draft() const;
     void showChanges();
+    void showHeld(const coach::RadioSettings& draft);
     void submit(const coach::Command& command);
 
     QLabel* state_;
@@ -38,7 +41,9 @@ class RadioPanel final : public Panel {
     QComboBox* mode_;
     QComboBox* baud_;
     QLineEdit* name_;
+    std::array<QLabel*, 6> held_{};  ///< What the module holds, beside each field that is to change it.
     QLabel* changes_;
+    QLabel* notice_;  ///< Why the last command was not done.
     QPushButton* apply_;
     QPushButton* undo_;
     std::optional<coach::RadioSettings> read_;  ///< What the draft was last filled from.

@@ -5,10 +5,9 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "core/engine/describe_coach.h"
-#include "ui/coach/chart_view.h"
+#include "ui/coach/charts.h"
 #include "ui/coach/coach_view.h"
 #include "ui/coach/conversation_view.h"
 #include "ui/shell/bench.h"
@@ -40,6 +39,7 @@ TowrpPanel::TowrpPanel(Bench& bench, QWidget* parent)
       team_(new QSpinBox(body_)),
       start_(new QPushButton(tr("Wake"), body_)),
       end_(new QPushButton(tr("End"), body_)),
+      notice_(new QLabel(body_)),
       velocity_(new QLabel(body_)),
       received_(new QLabel(body_)),
       morale_(new QLabel(body_)),
@@ -61,6 +61,7 @@ TowrpPanel::TowrpPanel(Bench& bench, QWidget* parent)
 void TowrpPanel::build() {
     team_->setObjectName(QStringLiteral("towrpTeam"));
     team_->setRange(0, 255);
+    team_->setPrefix(tr("TOWRP "));
     team_->setAccessibleName(tr("Team of this TOWRP"));
     start_->setObjectName(QStringLiteral("towrpStart"));
     end_->setObjectName(QStringLiteral("towrpEnd"));
@@ -82,12 +83,17 @@ void TowrpPanel::build() {
     auto* inner = new QVBoxLayout(body_);
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(metrics::kGap);
+    notice_->setObjectName(QStringLiteral("towrpNotice"));
+    notice_->setWordWrap(true);
+    notice_->hide();
     inner->addLayout(rowOf({team_, start_, end_}));
+    inner->addWidget(notice_);
     inner->addWidget(velocity_);
     inner->addWidget(received_);
     inner->addLayout(rowOf({morale_, wanted_, set_, mutiny_}));
     inner->addWidget(chart_);
     inner->addWidget(conversation_, 1);
+    chart_->setObjectName(QStringLiteral("towrpChart"));
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
     all->addWidget(empty_);
@@ -95,7 +101,10 @@ void TowrpPanel::build() {
 }
 
 void TowrpPanel::submit(const coach::Command& command) {
-    bench().submit(SystemCommand{command});
+    bench().submit(SystemCommand{command}, this, [this](const Result<void>& result) {
+        notice_->setText(result ? QString() : describe(result.error()).line());
+        notice_->setVisible(!result);
+    });
 }
 
 void TowrpPanel::refresh() {
@@ -136,15 +145,7 @@ void TowrpPanel::showBoat(const Snapshot& snapshot) {
     if (view.counters.foreign > 0) words << tr("foreign packets: %1").arg(view.counters.foreign);
     received_->setText(words.join(QStringLiteral(" · ")));
     morale_->setText(tr("Morale %1").arg(signedNumber(view.morale)));
-    std::vector<ChartState> states;
-    for (const TowrpState state : {TowrpState::NotPaired, TowrpState::Paired, TowrpState::Mutiny})
-        states.push_back({describe(state), state == view.state});
-    std::vector<ChartTimer> timers;
-    for (const RunningTimer& timer : view.timers) {
-        const double left_s = std::max(0.0, seconds(timer.due - snapshot.time));
-        timers.push_back({describe(timer.kind), 1 - left_s / seconds(timer.span), left_s});
-    }
-    chart_->show(std::move(states), std::move(timers));
+    chart_->show(towrpChart(snapshot));
     setNote(off ? QString() : tr("TOWRP %1").arg(view.team));
 }
 

@@ -30,6 +30,7 @@ class TowrpPanel final : public Panel {
     QSpinBox* team_;
     QPushButton* start_;
     QPushButton* end_;
+    QLabel* notice_;  ///< Why the last command was not done.
     QLabel* velocity_;
     QLabel* received_;
     QLabel* morale_;

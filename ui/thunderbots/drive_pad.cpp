@@ -3,7 +3,6 @@
 #include <QSettings>
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -20,19 +19,8 @@ using namespace thunderbots;
 
 namespace {
 
-using namespace std::chrono_literals;
-
-/// As often as the link takes blocks for sixteen robots.
-constexpr auto kPollInterval = 8ms;
-constexpr const char* kModelSetting = "gamepad/model";
 constexpr const char* kWheelsSetting = "gamepad/wheels";
-constexpr const char* kDeadZoneSetting = "gamepad/deadZone";
-constexpr const char* kBendSetting = "gamepad/bend";
 constexpr const char* kSpeedSetting = "gamepad/speed_percent";
-
-QString mapSetting(const PadInfo& pad) {
-    return QStringLiteral("gamepad/map/%1").arg(QString::fromStdString(pad.model));
-}
 
 WheelSpeeds wheelsFrom(const PadReading& reading, bool wheels, int limit) {
     if (!wheels) {
@@ -51,55 +39,27 @@ WheelSpeeds wheelsFrom(const PadReading& reading, bool wheels, int limit) {
 
 }  // namespace
 
-DrivePad::DrivePad(Bench& bench, DriveControl& control, KickSettings& kick, MakeSource makeSource,
+DrivePad::DrivePad(Bench& bench, DriveControl& control, KickSettings& kick, MakePadSource makeSource,
                    QObject* parent)
-    : QObject(parent), bench_(bench), control_(control), kick_(kick), makeSource_(std::move(makeSource)) {
+    : QObject(parent),
+      bench_(bench),
+      control_(control),
+      kick_(kick),
+      pads_(bench.settings(), std::move(makeSource)) {
     const QSettings& settings = bench_.settings();
     wheels_ = settings.value(kWheelsSetting, false).toBool();
-    curve_.deadZone = std::clamp(settings.value(kDeadZoneSetting, curve_.deadZone).toDouble(), 0.0, 0.9);
-    curve_.bend = std::clamp(settings.value(kBendSetting, curve_.bend).toDouble(), 0.0, 1.0);
     speed_percent_ = std::clamp(settings.value(kSpeedSetting, speed_percent_).toInt(), 1, 100);
-    chosen_.model = settings.value(kModelSetting).toString().toStdString();
     connect(&control_, &DriveControl::dropped, this, [this] {
         drove_ = false;
         awaitNeutral();
     });
-    connect(&timer_, &QTimer::timeout, this, &DrivePad::poll);
-    timer_.setTimerType(Qt::PreciseTimer);
-}
-
-void DrivePad::open() {
-    if (source_ != nullptr) return;
-    source_ = makeSource_();
-    timer_.start(kPollInterval);
-    poll();
-}
-
-void DrivePad::poll() {
-    source_->update();
-    followPads();
-    const auto state = there_ ? source_->state(chosen_.id) : std::nullopt;
-    if (there_ && !state) lose();
-    if (state) act(*state);
-}
-
-void DrivePad::followPads() {
-    std::vector<PadInfo> pads = source_->pads();
-    if (pads == pads_) return;
-    pads_ = std::move(pads);
-    const auto has = [this](auto same) { return std::find_if(pads_.begin(), pads_.end(), same); };
-    if (there_ && has([this](const PadInfo& pad) { return pad.id == chosen_.id; }) == pads_.end()) lose();
-    if (!there_) {
-        // The one that was used last comes back as it was; with none chosen yet, the first one will do.
-        const auto back =
-            has([this](const PadInfo& pad) { return chosen_.model.empty() || pad.model == chosen_.model; });
-        if (back != pads_.end()) choose(*back);
-    }
-    emit changed();
+    connect(&pads_, &PadFollower::chose, this, &DrivePad::begin);
+    connect(&pads_, &PadFollower::lost, this, &DrivePad::lose);
+    connect(&pads_, &PadFollower::looked, this, &DrivePad::act);
+    connect(&pads_, &PadFollower::changed, this, &DrivePad::changed);
 }
 
 void DrivePad::lose() {
-    there_ = false;
     state_ = {};
     reading_ = {};
     learn(std::nullopt);
@@ -114,18 +74,11 @@ void DrivePad::lose() {
     emit changed();
 }
 
-void DrivePad::choose(const PadInfo& pad) {
-    if (there_ && pad.id == chosen_.id) return;
-    if (drove_) control_.brake();
-    drove_ = false;
-    chosen_ = pad;
-    there_ = true;
+void DrivePad::begin() {
+    if (std::exchange(drove_, false)) control_.brake();
     reader_ = PadReader();
     state_ = {};
     learn(std::nullopt);
-    bench_.settings().setValue(kModelSetting, QString::fromStdString(pad.model));
-    readMap();
-    emit changed();
 }
 
 void DrivePad::setOn(bool on) {
@@ -154,9 +107,7 @@ void DrivePad::setDrivesWheels(bool wheels) {
 }
 
 void DrivePad::setCurve(const StickCurve& curve) {
-    curve_ = curve;
-    bench_.settings().setValue(kDeadZoneSetting, curve.deadZone);
-    bench_.settings().setValue(kBendSetting, curve.bend);
+    pads_.setCurve(curve);
     emit moved();
 }
 
@@ -167,7 +118,7 @@ void DrivePad::setSpeed(int percent) {
 
 void DrivePad::learn(std::optional<PadAction> action) {
     learner_.reset();
-    learning_ = there_ ? action : std::nullopt;
+    learning_ = isThere() ? action : std::nullopt;
     if (learning_) {
         if (std::exchange(drove_, false)) control_.brake();
         learner_.emplace(state_, isStick(*learning_));
@@ -177,25 +128,16 @@ void DrivePad::learn(std::optional<PadAction> action) {
 }
 
 void DrivePad::setStandardMap() {
-    map_ = PadMap();
-    writeMap();
+    pads_.setMap(PadMap());
     learn(std::nullopt);
-}
-
-void DrivePad::readMap() {
-    map_ = PadMap();
-    map_.setText(bench_.settings().value(mapSetting(chosen_)).toString());
-}
-
-void DrivePad::writeMap() {
-    bench_.settings().setValue(mapSetting(chosen_), map_.toText());
 }
 
 void DrivePad::learnFrom(const PadState& state) {
     const auto input = learner_->look(state);
     if (!input) return;
-    map_.setInput(*learning_, *input);
-    writeMap();
+    PadMap map = pads_.map();
+    map.setInput(*learning_, *input);
+    pads_.setMap(map);
     learn(std::nullopt);
 }
 
@@ -203,7 +145,7 @@ std::vector<double> DrivePad::positions() const {
     std::vector<double> positions;
     for (const PadAction action : kPadActions) {
         if (isStick(action) && isOfMode(action, wheels_))
-            positions.push_back(valueOf(state_, map_.input(action)));
+            positions.push_back(valueOf(state_, map().input(action)));
     }
     return positions;
 }
@@ -217,7 +159,7 @@ void DrivePad::act(const PadState& state) {
         if (news) emit moved();
         return;
     }
-    reading_ = reader_.read(state, map_, curve_, wheels_);
+    reading_ = reader_.read(state, map(), curve(), wheels_);
     if (reading_.wasPressed(PadAction::Stop)) {
         bench_.client().stop(StopReason::Person);
         return;

@@ -1,14 +1,11 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
-#include <functional>
-#include <memory>
 
 #include "core/thunderbots/commands.h"
+#include "ui/gamepad/pad_follower.h"
 #include "ui/gamepad/pad_learner.h"
 #include "ui/gamepad/pad_reader.h"
-#include "ui/gamepad/pad_source.h"
 
 namespace kickstand::ui {
 
@@ -16,35 +13,32 @@ class Bench;
 class DriveControl;
 class KickSettings;
 
-/// Drives with a gamepad: it is looked at by a timer of its own while somebody needs it, and what it asks for
-/// goes the way that sliders and keys go. GUI thread.
+/// Drives with a gamepad: what it asks for goes the way that sliders and keys go. GUI thread.
 class DrivePad final : public QObject {
     Q_OBJECT
   public:
-    using MakeSource = std::function<std::unique_ptr<PadSource>()>;
-
-    DrivePad(Bench& bench, DriveControl& control, KickSettings& kick, MakeSource makeSource,
+    DrivePad(Bench& bench, DriveControl& control, KickSettings& kick, MakePadSource makeSource,
              QObject* parent = nullptr);
 
     /// Begins to look for gamepads. From then on STOP of the chosen one counts, whether it drives or not.
-    void open();
-    const std::vector<PadInfo>& pads() const { return pads_; }
+    void open() { pads_.open(); }
+    const std::vector<PadInfo>& pads() const { return pads_.pads(); }
     /// The one that is chosen, whether it is plugged in or not; its model is empty while none has been.
-    const PadInfo& chosen() const { return chosen_; }
-    bool isThere() const { return there_; }
-    void choose(const PadInfo& pad);
+    const PadInfo& chosen() const { return pads_.chosen(); }
+    bool isThere() const { return pads_.isThere(); }
+    void choose(const PadInfo& pad) { pads_.choose(pad); }
 
     bool isOn() const { return on_; }
     void setOn(bool on);
     bool drivesWheels() const { return wheels_; }
     void setDrivesWheels(bool wheels);
-    const StickCurve& curve() const { return curve_; }
+    const StickCurve& curve() const { return pads_.curve(); }
     void setCurve(const StickCurve& curve);
     /// How fast a stick at its end drives, in percent of the limit.
     int speed_percent() const { return speed_percent_; }
     void setSpeed(int percent);
 
-    const PadMap& map() const { return map_; }
+    const PadMap& map() const { return pads_.map(); }
     /// The next stick or button that is moved gets this action; none: stop waiting for it.
     void learn(std::optional<PadAction> action);
     std::optional<PadAction> learning() const { return learning_; }
@@ -62,8 +56,7 @@ class DrivePad final : public QObject {
     void moved();
 
   private:
-    void poll();
-    void followPads();
+    void begin();
     void lose();
     void act(const PadState& state);
     void learnFrom(const PadState& state);
@@ -72,22 +65,14 @@ class DrivePad final : public QObject {
     void kick(bool chip);
     void ask(const thunderbots::Command& command);
     void say(const QString& words);
-    void readMap();
-    void writeMap();
 
     Bench& bench_;
     DriveControl& control_;
     KickSettings& kick_;
-    MakeSource makeSource_;
-    std::unique_ptr<PadSource> source_;
-    std::vector<PadInfo> pads_;
-    PadInfo chosen_;
-    bool there_ = false;
+    PadFollower pads_;
     bool on_ = false;
     bool wheels_ = false;
-    StickCurve curve_;
     int speed_percent_ = 100;
-    PadMap map_;
     PadReader reader_;
     PadReading reading_;
     PadState state_;
@@ -96,7 +81,6 @@ class DrivePad final : public QObject {
     std::optional<PadAction> learning_;
     std::optional<PadLearner> learner_;
     QString notice_;
-    QTimer timer_;
 };
 
 }  // namespace kickstand::ui
