@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kBoxWidth = 112;
 constexpr double kBoxHeight = 36;
-constexpr double kRowGap = 32;
+constexpr double kRowGap = 28;
 /// Between the lower row and the line of what goes below it.
-constexpr double kLane = 24;
+constexpr double kLane = 20;
 /// An arrow there and the one back stand so far from the middle.
 constexpr double kAside = 8;
 constexpr double kTip = 4;

@@ -43,8 +43,8 @@ class ChartView final : public QWidget {
     void show(Chart chart);
     const Chart& chart() const { return chart_; }
 
-    QSize sizeHint() const override { return {720, 168}; }
-    QSize minimumSizeHint() const override { return {560, 152}; }
+    QSize sizeHint() const override { return {720, 144}; }
+    QSize minimumSizeHint() const override { return {560, 144}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -15,6 +15,9 @@ class ConversationView final : public QPlainTextEdit {
   public:
     explicit ConversationView(Bench& bench, QWidget* parent = nullptr);
 
+    /// Of what a panel has to give it takes the rest, and asks for some lines.
+    QSize sizeHint() const override { return {320, 64}; }
+
     void show(const std::shared_ptr<const coach::TrafficEntries>& entries);
 
   private:

@@ -24,7 +24,7 @@ class HelmPad final : public QWidget {
     bool hold(const coach::wire::Velocity& velocity);
     const coach::wire::Velocity& asked() const { return asked_; }
 
-    QSize sizeHint() const override { return {208, 208}; }
+    QSize sizeHint() const override { return {176, 176}; }
     QSize minimumSizeHint() const override { return {160, 160}; }
 
   signals:
