@@ -1,11 +1,10 @@
 #include <QString>
 #include <array>
-#include <filesystem>
 
 #include "app/kickstand-sim/coach_simulation.h"
+#include "app/kickstand-sim/common_options.h"
 #include "app/kickstand-sim/families.h"
-#include "app/kickstand-sim/pty_carrier.h"
-#include "app/kickstand-sim/serving.h"
+#include "app/kickstand-sim/pty_serving.h"
 #include "app/kickstand-sim/words.h"
 
 namespace kickstand::sim {
@@ -31,15 +30,10 @@ ctl::Expected<CoachSimOptions> readSimulation(const Invocation& invocation) {
 
 /// As many paths as there are modules.
 ctl::Expected<std::vector<std::string>> readPaths(const Invocation& invocation, std::size_t modules) {
-    std::vector<std::string> paths;
-    const QString given = QString::fromStdString(std::string(invocation.text("--pty")));
-    for (const QString& path : given.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-        std::error_code error;
-        paths.push_back(std::filesystem::absolute(path.toStdString(), error).string());
-    }
-    if (paths.size() == modules) return paths;
+    auto paths = readPtyPaths(invocation);
+    if (!paths || paths->size() == modules) return paths;
     return ctl::badUsage(
-        Words::tr("There are radio modules: %1, and paths for them: %2.").arg(modules).arg(paths.size()),
+        Words::tr("There are radio modules: %1, and paths for them: %2.").arg(modules).arg(paths->size()),
         Words::tr("Give --pty a path for each address, with commas between them."));
 }
 
@@ -48,14 +42,13 @@ ctl::Outcome run(const Invocation& invocation) {
     if (!simulated) return tl::unexpected(simulated.error());
     const auto paths = readPaths(invocation, simulated->modules.size());
     if (!paths) return tl::unexpected(paths.error());
-    return serveUntilTold(invocation, [&](Scheduler& scheduler, Log&) -> ctl::Expected<Served> {
+    const QString link = QStringLiteral("?protocol=coach&baud=9600");
+    return servePtysUntilTold(invocation, link, [&](Scheduler& scheduler) {
         auto simulation = std::make_unique<CoachSimulation>(scheduler, *simulated);
         std::vector<ServedLine> lines;
         for (std::size_t i = 0; i < paths->size(); ++i)
             lines.push_back({&simulation->sim().module(i), (*paths)[i]});
-        auto carrier = PtyCarrier::serve(scheduler, lines, QStringLiteral("?protocol=coach&baud=9600"));
-        if (!carrier) return tl::unexpected(carrier.error());
-        return Served{std::move(simulation), std::move(*carrier)};
+        return PtySimulation{std::move(simulation), std::move(lines)};
     });
 }
 
@@ -73,16 +66,12 @@ constexpr std::array kOptions{
                QT_TRANSLATE_NOOP("kickstand_sim", "the teams of simulated COACHes; none without it")},
     OptionSpec{"--loss", "P",
                QT_TRANSLATE_NOOP("kickstand_sim", "which part of the radio packets is lost, 0 to 1")},
-    OptionSpec{
-        "--seed", "N",
-        QT_TRANSLATE_NOOP("kickstand_sim", "of all that happens by chance: the same seed, the same chances")},
+    kSeedOption,
     OptionSpec{
         "--fall", "SECONDS",
         QT_TRANSLATE_NOOP("kickstand_sim", "how often a crew's morale falls; 5 without it, 0 for never")},
-    OptionSpec{"--control", "PATH",
-               QT_TRANSLATE_NOOP("kickstand_sim",
-                                 "the control socket; $XDG_RUNTIME_DIR/kickstand-sim.sock without it")},
-    OptionSpec{"--json", "", QT_TRANSLATE_NOOP("kickstand_sim", "what is said as JSON, a value a line")},
+    kControlOption,
+    kJsonOption,
 };
 
 }  // namespace
@@ -93,8 +82,7 @@ CommandSpec coachCommand() {
             0,
             QT_TRANSLATE_NOOP("kickstand_sim",
                               "Serves simulated XBee modules, with TOWRPs and COACHes that they hear."),
-            QT_TRANSLATE_NOOP("kickstand_sim",
-                              "It says how to reach it, and goes on until Ctrl+C, SIGTERM or SIGHUP."),
+            kServingDetails,
             kOptions,
             "coach --pty /tmp/xbee --towrps 3,5",
             run};

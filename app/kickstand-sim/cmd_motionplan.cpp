@@ -1,11 +1,10 @@
 #include <QString>
 #include <array>
-#include <filesystem>
 
+#include "app/kickstand-sim/common_options.h"
 #include "app/kickstand-sim/families.h"
 #include "app/kickstand-sim/nxt_simulation.h"
-#include "app/kickstand-sim/pty_carrier.h"
-#include "app/kickstand-sim/serving.h"
+#include "app/kickstand-sim/pty_serving.h"
 #include "app/kickstand-sim/words.h"
 
 namespace kickstand::sim {
@@ -34,17 +33,12 @@ ctl::Expected<motionplan::sim::NxtOptions> readSimulation(const Invocation& invo
 ctl::Outcome run(const Invocation& invocation) {
     const auto simulated = readSimulation(invocation);
     if (!simulated) return tl::unexpected(simulated.error());
-    if (invocation.text("--pty").empty())
-        return ctl::badUsage(Words::tr("Nothing says where the serial port is to be."),
-                             Words::tr("Add --pty PATH."));
-    std::error_code error;
-    const std::string path = std::filesystem::absolute(std::string(invocation.text("--pty")), error).string();
-    return serveUntilTold(invocation, [&](Scheduler& scheduler, Log&) -> ctl::Expected<Served> {
+    const auto path = readPtyPath(invocation);
+    if (!path) return tl::unexpected(path.error());
+    return servePtysUntilTold(invocation, QStringLiteral("?protocol=motionplan"), [&](Scheduler& scheduler) {
         auto simulation = std::make_unique<NxtSimulation>(scheduler, *simulated);
-        auto carrier = PtyCarrier::serve(scheduler, {{&simulation->device(), path}},
-                                         QStringLiteral("?protocol=motionplan"));
-        if (!carrier) return tl::unexpected(carrier.error());
-        return Served{std::move(simulation), std::move(*carrier)};
+        std::vector<ServedLine> lines{{&simulation->device(), *path}};
+        return PtySimulation{std::move(simulation), std::move(lines)};
     });
 }
 
@@ -62,13 +56,9 @@ constexpr std::array kOptions{
     OptionSpec{"--text", "",
                QT_TRANSLATE_NOOP("kickstand_sim",
                                  "its program reads mailboxes as text: what follows a zero byte is lost")},
-    OptionSpec{
-        "--seed", "N",
-        QT_TRANSLATE_NOOP("kickstand_sim", "of all that happens by chance: the same seed, the same chances")},
-    OptionSpec{"--control", "PATH",
-               QT_TRANSLATE_NOOP("kickstand_sim",
-                                 "the control socket; $XDG_RUNTIME_DIR/kickstand-sim.sock without it")},
-    OptionSpec{"--json", "", QT_TRANSLATE_NOOP("kickstand_sim", "what is said as JSON, a value a line")},
+    kSeedOption,
+    kControlOption,
+    kJsonOption,
 };
 
 }  // namespace
@@ -78,8 +68,7 @@ CommandSpec motionplanCommand() {
             "",
             0,
             QT_TRANSLATE_NOOP("kickstand_sim", "Serves a simulated NXT that takes motion plans."),
-            QT_TRANSLATE_NOOP("kickstand_sim",
-                              "It says how to reach it, and goes on until Ctrl+C, SIGTERM or SIGHUP."),
+            kServingDetails,
             kOptions,
             "motionplan --pty /tmp/nxt",
             run};

@@ -1,10 +1,9 @@
 #include <array>
-#include <filesystem>
 
 #include "app/kickstand-sim/board_simulation.h"
+#include "app/kickstand-sim/common_options.h"
 #include "app/kickstand-sim/families.h"
-#include "app/kickstand-sim/pty_carrier.h"
-#include "app/kickstand-sim/serving.h"
+#include "app/kickstand-sim/pty_serving.h"
 #include "app/kickstand-sim/words.h"
 #include "core/link/link_uri.h"
 
@@ -28,20 +27,15 @@ ctl::Expected<smartdevice::sim::SmartDeviceSimOptions> readSimulation(const Invo
 ctl::Outcome run(const Invocation& invocation) {
     const auto simulated = readSimulation(invocation);
     if (!simulated) return tl::unexpected(simulated.error());
-    if (invocation.text("--pty").empty())
-        return ctl::badUsage(Words::tr("Nothing says where the serial port is to be."),
-                             Words::tr("Add --pty PATH."));
-    std::error_code error;
-    const std::string path = std::filesystem::absolute(std::string(invocation.text("--pty")), error).string();
-    return serveUntilTold(invocation, [&](Scheduler& scheduler, Log&) -> ctl::Expected<Served> {
+    const auto path = readPtyPath(invocation);
+    if (!path) return tl::unexpected(path.error());
+    return servePtysUntilTold(invocation, QStringLiteral("?protocol=smartdevice"), [&](Scheduler& scheduler) {
         auto simulation = std::make_unique<BoardSimulation>(scheduler, *simulated);
         std::vector<ServedLine> lines;
         // Several boards have several ports: PATH, PATH1, PATH2, …
         for (int i = 0; i < simulation->count(); ++i)
-            lines.push_back({&simulation->device(i), i == 0 ? path : path + std::to_string(i)});
-        auto carrier = PtyCarrier::serve(scheduler, lines, QStringLiteral("?protocol=smartdevice"));
-        if (!carrier) return tl::unexpected(carrier.error());
-        return Served{std::move(simulation), std::move(*carrier)};
+            lines.push_back({&simulation->device(i), i == 0 ? *path : *path + std::to_string(i)});
+        return PtySimulation{std::move(simulation), std::move(lines)};
     });
 }
 
@@ -54,13 +48,9 @@ constexpr std::array kOptions{
                                  "the boards, as in PolarBear,Encoder.hibike; one PolarBear without it")},
     OptionSpec{"--boot", "MS",
                QT_TRANSLATE_NOOP("kickstand_sim", "from the opening of the port to the first answer")},
-    OptionSpec{
-        "--seed", "N",
-        QT_TRANSLATE_NOOP("kickstand_sim", "of all that happens by chance: the same seed, the same chances")},
-    OptionSpec{"--control", "PATH",
-               QT_TRANSLATE_NOOP("kickstand_sim",
-                                 "the control socket; $XDG_RUNTIME_DIR/kickstand-sim.sock without it")},
-    OptionSpec{"--json", "", QT_TRANSLATE_NOOP("kickstand_sim", "what is said as JSON, a value a line")},
+    kSeedOption,
+    kControlOption,
+    kJsonOption,
 };
 
 }  // namespace
@@ -70,8 +60,7 @@ CommandSpec smartDeviceCommand() {
             "",
             0,
             QT_TRANSLATE_NOOP("kickstand_sim", "Serves simulated smart devices on pseudo-terminals."),
-            QT_TRANSLATE_NOOP("kickstand_sim",
-                              "It says how to reach them, and goes on until Ctrl+C, SIGTERM or SIGHUP."),
+            kServingDetails,
             kOptions,
             "smartdevice --type PolarBear --pty /tmp/polarbear",
             run};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/kickstand-sim/common_options.h"
 #include "app/kickstand-sim/families.h"
 #include "app/kickstand-sim/serving.h"
 #include "app/kickstand-sim/thunderbots_simulation.h"
@@ -97,14 +98,10 @@ constexpr std::array kOptions{
                QT_TRANSLATE_NOOP("kickstand_sim", "the pace of the real radio, or none; true without it")},
     OptionSpec{"--loss", "P",
                QT_TRANSLATE_NOOP("kickstand_sim", "which part of the radio packets is lost, 0 to 1")},
-    OptionSpec{
-        "--seed", "N",
-        QT_TRANSLATE_NOOP("kickstand_sim", "of all that happens by chance: the same seed, the same chances")},
+    kSeedOption,
     OptionSpec{"--cable", "N", QT_TRANSLATE_NOOP("kickstand_sim", "no dongle, but this robot on its cable")},
-    OptionSpec{"--control", "PATH",
-               QT_TRANSLATE_NOOP("kickstand_sim",
-                                 "the control socket; $XDG_RUNTIME_DIR/kickstand-sim.sock without it")},
-    OptionSpec{"--json", "", QT_TRANSLATE_NOOP("kickstand_sim", "what is said as JSON, a value a line")},
+    kControlOption,
+    kJsonOption,
 };
 
 }  // namespace
@@ -115,8 +112,7 @@ CommandSpec thunderbotsCommand() {
             0,
             QT_TRANSLATE_NOOP("kickstand_sim",
                               "Serves the simulated Thunderbots dongle, or one robot on a cable."),
-            QT_TRANSLATE_NOOP("kickstand_sim",
-                              "It says how to reach it, and goes on until Ctrl+C, SIGTERM or SIGHUP."),
+            kServingDetails,
             kOptions,
             "thunderbots --usbip --robots 0,3,5 --loss 0.02",
             run};

@@ -15,10 +15,16 @@ ctl::Expected<std::unique_ptr<PtyCarrier>> PtyCarrier::serve(Scheduler& schedule
         auto port = makePtyPort(scheduler, *line.device, line.path);
         if (!port) {
             ctl::Failure failure = ctl::failed(port.error()).value();
-            failure.text = {Words::tr("Nothing can be served at %1: %2.")
-                                .arg(printable(line.path), printable(port.error().detail)),
-                            Words::tr("Choose another path with --pty."),
-                            {}};
+            const QString path = printable(line.path);
+            if (port.error().code == Errc::ClaimedElsewhere)
+                failure.text = {Words::tr("Another program serves a serial port at %1.").arg(path),
+                                Words::tr("End that one, or choose another path with --pty."),
+                                {}};
+            else
+                failure.text = {
+                    Words::tr("Nothing can be served at %1: %2.").arg(path, printable(port.error().detail)),
+                    Words::tr("Choose another path with --pty."),
+                    {}};
             return tl::unexpected(std::move(failure));
         }
         carrier->ports_.push_back({line.path, std::move(*port)});

@@ -54,10 +54,17 @@ TEST_F(SimNxt, KeepsWhatOneProgramHasSentForTheNext) {
     const Ended full = plan({"create", "--slot", "4", "--plan", "8", "forward 1"});
     EXPECT_EQ(full.exitCode, 1);
     EXPECT_NE(full.err.find("error 0"), std::string::npos) << full.err;
+    // Without an ID it is that of the plan that is there.
     EXPECT_EQ(plan({"update", "--slot", "4", "forward 5"}).exitCode, 0);
+    const QJsonValue slot = show()[QStringLiteral("slots")][4];
+    EXPECT_EQ(slot[QStringLiteral("plan")], 9);
+    EXPECT_EQ(slot[QStringLiteral("movements")], QStringLiteral("05"));
     const Ended executed = plan({"execute", "--slot", "4", "--for", "20"});
     EXPECT_EQ(executed.exitCode, 0) << executed.err;
     EXPECT_EQ(show()[QStringLiteral("executed")], 1);
+    const Ended other = plan({"execute", "--slot", "4", "--plan", "1", "--for", "20"});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_NE(other.err.find("error 4"), std::string::npos) << other.err;
 }
 
 TEST_F(SimNxt, StartsItsTriggerPlanWhenTheProgramLetsGo) {
@@ -67,7 +74,32 @@ TEST_F(SimNxt, StartsItsTriggerPlanWhenTheProgramLetsGo) {
     // Connecting again leaves it alone; its status tells, and Stop stops it. Letting go starts it once more.
     const QJsonObject status = plan({"status"}).object();
     EXPECT_EQ(status[QStringLiteral("execution")][QStringLiteral("plan")], 7);
-    EXPECT_TRUE(plan({"stop"}).object()[QStringLiteral("stopped")].toBool());
+    const QJsonObject stopped = plan({"stop"}).object();
+    EXPECT_TRUE(stopped[QStringLiteral("stopped")].toBool());
+    EXPECT_EQ(stopped[QStringLiteral("starts_when_closed")], 7);
+    const Ended adjusted = plan({"adjust", "--wheels", "both", "--change", "-10", "--for", "0.1"});
+    EXPECT_EQ(adjusted.exitCode, 0) << adjusted.err;
+    EXPECT_EQ(adjusted.values().back()[QStringLiteral("starts_when_closed")], 7);
+}
+
+TEST_F(SimNxt, ItsPortIsNotTakenFromIt) {
+    const Ended second =
+        run({"motionplan", "--pty", folder + "/nxt", "--control", folder + "/other.sock"}, KICKSTAND_SIM);
+    EXPECT_EQ(second.exitCode, 1);
+    EXPECT_TRUE(second.oneComplaint("kickstand-sim")) << second.err;
+    EXPECT_NE(second.err.find("Another program serves a serial port"), std::string::npos) << second.err;
+    EXPECT_EQ(plan({"status"}).exitCode, 0);
+}
+
+TEST_F(SimNxt, ALinkThatWasLeftBehindIsReplaced) {
+    const std::string left = folder + "/left";
+    ASSERT_EQ(::symlink("/dev/pts/999999", left.c_str()), 0);
+    Program second({"motionplan", "--pty", left, "--control", folder + "/other.sock", "--json"},
+                   KICKSTAND_SIM);
+    ASSERT_TRUE(second.waitFor("\n"));
+    EXPECT_EQ(run({"--link", "serial:" + left + "?protocol=motionplan", "motionplan", "status"}).exitCode, 0);
+    second.signal(SIGTERM);
+    EXPECT_EQ(second.end().exitCode, 0);
 }
 
 TEST_F(SimNxt, APulledPlugIsSaid) {

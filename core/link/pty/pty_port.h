@@ -22,8 +22,9 @@ class PtyPort {
 };
 
 /// Serves `model`, whose listener it is as long as it lives, on a pseudo-terminal. `link` becomes a symbolic
-/// link to it, in place of an old one to a terminal; empty for none. The scheduler is the model's; both must
-/// outlive the port. Errors: BadArgument where something else than such a link has the name; Io. Scheduler's
+/// link to it, in place of an old one to a terminal that is gone; empty for none. The scheduler is the
+/// model's; both must outlive the port. Errors: BadArgument where something else than such a link has the
+/// name; ClaimedElsewhere where its terminal is there, and so belongs to another program; Io. Scheduler's
 /// thread.
 Result<std::unique_ptr<PtyPort>> makePtyPort(Scheduler& scheduler, ByteDeviceModel& model, std::string link);
 

@@ -81,6 +81,8 @@ class ServedPort final : public PtyPort, private ByteDeviceListener {
             const bool ours =
                 fs::is_symlink(there) && fs::read_symlink(link_, error).string().starts_with("/dev/pts/");
             if (!ours) return fail(Errc::BadArgument, link_, "exists");
+            // A link that was left behind leads nowhere; one that leads to a terminal is served by another.
+            if (fs::exists(link_, error)) return fail(Errc::ClaimedElsewhere, link_, "in use");
             fs::remove(link_, error);
         }
         if (::symlink(terminal_->name().c_str(), link_.c_str()) != 0)
