@@ -9,6 +9,7 @@
 #include "app/composition/usbip_links.h"
 #include "app/composition/user_catalogue.h"
 #include "core/link/loopback/loopback_usb_link.h"
+#include "core/link/serial/serial_ports.h"
 #include "core/smartdevice/sim/simulated_ports.h"
 #include "core/thunderbots/sim/thunderbots_sim.h"
 
@@ -62,7 +63,7 @@ class ComposedLinks final : public LinkProvider {
         return provided;
     }
 
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         finder_.find(scheduler, std::move(found));
     }
 
@@ -90,7 +91,7 @@ class ComposedLinks final : public LinkProvider {
     }
 
     const UserCatalogue catalogue_ = readUserCatalogue();
-    DeviceFinder finder_{findHardware};
+    DeviceFinder finder_{[] { return FoundHardware{findHardware(), listSerialPorts()}; }};
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ DeviceFinder::~DeviceFinder() {
     if (thread_.joinable()) thread_.join();
 }
 
-void DeviceFinder::find(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) {
+void DeviceFinder::find(Scheduler& scheduler, std::function<void(FoundHardware)> found) {
     const std::lock_guard lock(mutex_);
     requests_.push_back({&scheduler, std::move(found)});
     if (!thread_.joinable()) thread_ = std::thread([this] { run(); });

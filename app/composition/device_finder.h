@@ -16,7 +16,7 @@ namespace kickstand {
 /// block.
 class DeviceFinder {
   public:
-    using Look = std::function<std::vector<FoundDevice>()>;
+    using Look = std::function<FoundHardware()>;
 
     /// `look` is called on the finder's thread.
     explicit DeviceFinder(Look look);
@@ -26,12 +26,12 @@ class DeviceFinder {
     DeviceFinder& operator=(const DeviceFinder&) = delete;
 
     /// Looks, then posts `found` to the scheduler, which must outlive this. Any thread.
-    void find(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found);
+    void find(Scheduler& scheduler, std::function<void(FoundHardware)> found);
 
   private:
     struct Request {
         Scheduler* scheduler;
-        std::function<void(std::vector<FoundDevice>)> found;
+        std::function<void(FoundHardware)> found;
     };
     void run();
 

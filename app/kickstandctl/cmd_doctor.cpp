@@ -16,6 +16,8 @@ namespace {
 constexpr auto kBehindTheLink = {Check::Radios,   Check::EmergencyStop, Check::Robots,
                                  Check::Feedback, Check::Battery,       Check::Traffic};
 
+constexpr Duration kAnswerLimit = std::chrono::seconds(4);
+
 /// One line of the answer.
 struct Line {
     const char* check = "";
@@ -39,9 +41,29 @@ Line program() {
         {Words::tr("%1 with Qt %2 works.").arg(versionText().trimmed(), QLatin1String(qVersion())), {}, {}}};
 }
 
+bool isOnSerialPort(const SessionSnapshot* session) {
+    return session != nullptr && !std::holds_alternative<thunderbots::Snapshot>(session->system);
+}
+
+/// What there is to say of a link over a serial port, which may not run.
+std::vector<Line> examineSerial(SessionRunner& runner, bool runs) {
+    const auto findings = [&runner] { return diagnoseSession(*runner.session()); };
+    runner.watchOnly();
+    // What answers may take its time, and what does not is said afterwards.
+    if (runs)
+        static_cast<void>(runner.waitUntil([&] { return runner.session() == nullptr || isWell(findings()); },
+                                           kAnswerLimit));
+    std::vector<Line> lines;
+    if (runner.session() != nullptr) append(lines, findings());
+    // Nothing was set going here: what others have set going is left alone.
+    runner.leave();
+    return lines;
+}
+
 /// Opens the link and looks at what is behind it.
 std::vector<Line> examineLink(SessionRunner& runner, const LinkUri& uri) {
     Outcome outcome = runner.connect(uri);
+    if (isOnSerialPort(runner.session())) return examineSerial(runner, outcome.has_value());
     if (outcome) outcome = runner.settle();
     std::vector<Line> lines;
     if (!outcome) {
@@ -112,7 +134,9 @@ constexpr CommandSpec kCommands[] = {
      QT_TRANSLATE_NOOP(
          "kickstandctl",
          "Says why it does not work: device, permission, radios, e-stop, robots; with remedies."),
-     QT_TRANSLATE_NOOP("kickstandctl", "Opening a link brakes its robots. Exit 1 when something is wrong."),
+     QT_TRANSLATE_NOOP("kickstandctl",
+                       "Opening a link to thunderbots brakes them; closing one to an NXT starts its trigger "
+                       "plan, as ever. Exit 1 when something is wrong."),
      {},
      "--link sim:thunderbots doctor",
      doctor},

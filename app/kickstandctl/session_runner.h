@@ -58,6 +58,8 @@ class SessionRunner {
     const thunderbots::RobotState& robot(int number) const {
         return state().robots[static_cast<std::size_t>(number)];
     }
+    /// The whole session, whether its link runs or not; null where there is none.
+    const SessionSnapshot* session() const;
     const LinkUri& uri() const { return uri_; }
     Engine& engine() { return engine_; }
     /// Called for every event from now on, while something waits.
@@ -82,7 +84,6 @@ class SessionRunner {
     /// How long the robots' being told, or their word that they stand, is waited for at the end.
     Duration brakeLimit() const;
     Outcome trouble() const;
-    const SessionSnapshot* session() const;
     bool atRest(TimePoint since) const;
     void refresh();
 

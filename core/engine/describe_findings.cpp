@@ -22,10 +22,14 @@ QString uriText(const Finding& finding) {
 
 Description device(const Finding& finding) {
     if (finding.error) return describe(*finding.error);
+    if (finding.serial) return only(Words::tr("There is a serial port %1.").arg(printable(finding.port)));
     return only(Words::tr("%1 is plugged in at %2.").arg(uriText(finding), printable(finding.port)));
 }
 
 Description permission(const Finding& finding) {
+    if (finding.serial && finding.error) return describe(*finding.error);
+    if (finding.serial)
+        return only(Words::tr("This user may open the serial port %1.").arg(printable(finding.port)));
     const QString rule = printable(finding.rule);
     if (!finding.error && finding.rule.empty())
         return only(Words::tr("This user may open the device at %1, without a udev rule.")
@@ -45,7 +49,10 @@ Description permission(const Finding& finding) {
 
 Description claim(const Finding& finding) {
     const QString port = printable(finding.port);
+    if (!finding.error && finding.serial)
+        return only(Words::tr("No other program holds the serial port %1.").arg(port));
     if (!finding.error) return only(Words::tr("No other program holds the device at %1.").arg(port));
+    if (finding.serial) return describe(*finding.error);
     Description words = describe(*finding.error);
     if (finding.holder) {
         words.what = Words::tr("The device at %1 is held by %2 (process %3).")
@@ -67,6 +74,8 @@ QString deviceText(const Finding& finding) {
 
 Description link(const Finding& finding) {
     if (finding.error) return describe(*finding.error);
+    if (finding.state == CheckState::Ok && finding.serial)
+        return only(Words::tr("%1 runs.").arg(uriText(finding)));
     if (finding.state == CheckState::Ok)
         return only(Words::tr("%1 runs: %2.").arg(uriText(finding), deviceText(finding)));
     return {Words::tr("%1 does not run yet: %2.").arg(uriText(finding), describe(finding.linkState)),
@@ -134,6 +143,37 @@ Description traffic(const Finding& finding) {
             {}};
 }
 
+Description noAnswer(Answerer answerer) {
+    switch (answerer) {
+        case Answerer::Nxt:
+            return {Words::tr("The port is open, and no NXT answers."),
+                    Words::tr("Switch the NXT on, and check that this port is the one of its Bluetooth."),
+                    {}};
+        case Answerer::Radio:
+            return describe(Error{.code = Errc::RadioNotReady});
+        case Answerer::Board:
+            return {Words::tr("No board answers."),
+                    Words::tr("Plug one in; one that starts takes some seconds. If it stays so, its firmware "
+                              "speaks another protocol."),
+                    {}};
+    }
+    return {};
+}
+
+Description answers(const Finding& finding) {
+    if (finding.error) return describe(*finding.error);
+    if (finding.state != CheckState::Ok) return noAnswer(finding.answerer);
+    switch (finding.answerer) {
+        case Answerer::Nxt:
+            return only(Words::tr("The NXT answers, and a program runs on it."));
+        case Answerer::Radio:
+            return only(Words::tr("A radio module in API mode answers."));
+        case Answerer::Board:
+            return only(Words::tr("Boards that answer: %1.").arg(finding.answering));
+    }
+    return {};
+}
+
 }  // namespace
 
 Description describe(const Finding& finding) {
@@ -166,6 +206,8 @@ Description describe(const Finding& finding) {
             return battery(finding);
         case Check::Traffic:
             return traffic(finding);
+        case Check::Answers:
+            return answers(finding);
     }
     return {};
 }
@@ -196,6 +238,8 @@ QString describe(Check check) {
             return Words::tr("Batteries");
         case Check::Traffic:
             return Words::tr("Traffic");
+        case Check::Answers:
+            return Words::tr("Answers");
     }
     return {};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/engine/diagnosis_serial.h"
 #include "core/thunderbots/wire/readings.h"
 
 namespace kickstand {
@@ -102,8 +103,7 @@ Finding traffic(const thunderbots::TrafficCounters& counters) {
     return found;
 }
 
-/// A session of thunderbots, its link in any state.
-std::vector<Finding> diagnoseSession(const LinkUri& uri, const thunderbots::Snapshot& state) {
+std::vector<Finding> diagnoseSystem(const LinkUri& uri, const thunderbots::Snapshot& state) {
     std::vector<Finding> findings;
     if (state.link == LinkState::Running) {
         findings.push_back(runningLink(uri, state));
@@ -119,51 +119,14 @@ std::vector<Finding> diagnoseSession(const LinkUri& uri, const thunderbots::Snap
     return findings;
 }
 
-/// A session over a serial line, whose link stands in one of the states that every link knows.
-std::vector<Finding> diagnoseSession(const LinkUri& uri, const motionplan::Snapshot& state) {
-    const bool running = state.link == motionplan::LinkState::Running;
-    Finding link = finding(Check::Link, running ? CheckState::Ok : CheckState::Warning);
-    link.link = uri;
-    link.port = state.port.port;
-    link.error = state.error;
-    if (state.error) link.state = CheckState::Problem;
-    if (running) link.linkState = LinkState::Running;
-    if (state.link == motionplan::LinkState::Opening) link.linkState = LinkState::Opening;
-    if (state.link == motionplan::LinkState::Searching) link.linkState = LinkState::Searching;
-    return {link};
+/// The other systems are on serial ports.
+template <class Serial>
+std::vector<Finding> diagnoseSystem(const LinkUri& uri, const Serial& state) {
+    return diagnoseSerial(uri, state);
 }
 
-std::vector<Finding> diagnoseSession(const LinkUri& uri, const coach::Snapshot& state) {
-    const bool running = state.link == coach::LinkState::Running;
-    Finding link = finding(Check::Link, running ? CheckState::Ok : CheckState::Warning);
-    link.link = uri;
-    link.port = state.port.port;
-    link.error = state.error;
-    if (state.link == coach::LinkState::NoModule) link.error = Error{.code = Errc::RadioNotReady};
-    if (link.error) link.state = CheckState::Problem;
-    if (running) link.linkState = LinkState::Running;
-    if (state.link == coach::LinkState::Opening) link.linkState = LinkState::Opening;
-    if (state.link == coach::LinkState::Searching) link.linkState = LinkState::Searching;
-    return {link};
-}
-
-/// A session that works with every port that there is, each of which stands for itself.
-std::vector<Finding> diagnoseSession(const LinkUri& uri, const smartdevice::Snapshot& state) {
-    std::vector<Finding> findings{finding(Check::Link, CheckState::Warning)};
-    findings.back().link = uri;
-    const bool heard = std::ranges::any_of(state.devices, [](const smartdevice::DeviceState& device) {
-        return device.presence == smartdevice::Presence::Live;
-    });
-    if (heard) findings.back().state = CheckState::Ok;
-    if (heard) findings.back().linkState = LinkState::Running;
-    for (const smartdevice::PortState& port : state.ports) {
-        if (!port.error) continue;
-        findings.push_back(finding(Check::Link, CheckState::Problem));
-        findings.back().link = uri;
-        findings.back().port = port.name;
-        findings.back().error = port.error;
-    }
-    return findings;
+bool isSerial(const SessionSnapshot& session) {
+    return !std::holds_alternative<thunderbots::Snapshot>(session.system);
 }
 
 bool looksRunning(const SessionSnapshot& session) {
@@ -200,6 +163,8 @@ const char* name(Check check) {
             return "battery";
         case Check::Traffic:
             return "traffic";
+        case Check::Answers:
+            return "answers";
     }
     return "";
 }
@@ -261,10 +226,15 @@ Finding runningLink(const LinkUri& uri, const thunderbots::Snapshot& state) {
     return found;
 }
 
+std::vector<Finding> diagnoseSession(const SessionSnapshot& session) {
+    return std::visit([&session](const auto& state) { return diagnoseSystem(session.uri, state); },
+                      session.system);
+}
+
 std::vector<Finding> diagnose(const EngineSnapshot& engine, const SessionSnapshot* shown) {
     std::vector<Finding> findings{finding(Check::Program)};
     // What runs shows that there is a device and that it could be opened; what is simulated needs none.
-    if (shown == nullptr || (!shown->uri.isSimulated() && !looksRunning(*shown))) {
+    if (shown == nullptr || (!shown->uri.isSimulated() && !isSerial(*shown) && !looksRunning(*shown))) {
         append(findings, engine.discovered ? diagnoseDevices(engine.found) : notChecked({Check::Device}));
     }
     if (shown == nullptr) {
@@ -279,9 +249,9 @@ std::vector<Finding> diagnose(const EngineSnapshot& engine, const SessionSnapsho
         append(findings, notChecked(kBehindTheLink));
         return findings;
     }
-    auto session =
-        std::visit([shown](const auto& state) { return diagnoseSession(shown->uri, state); }, shown->system);
-    session.insert(session.begin() + 1, std::move(stop));
+    auto session = diagnoseSession(*shown);
+    const auto link = std::ranges::find(session, Check::Link, &Finding::check);
+    session.insert(link == session.end() ? link : std::next(link), std::move(stop));
     append(findings, std::move(session));
     return findings;
 }

@@ -26,7 +26,11 @@ enum class Check {
     Feedback,
     Battery,
     Traffic,
+    Answers,  ///< Does what is at a serial port answer?
 };
+
+/// What is to answer at a serial port.
+enum class Answerer { Nxt, Radio, Board };
 
 /// "program", "device", …: stable names, for JSON.
 const char* name(Check check);
@@ -54,6 +58,9 @@ struct Finding {
     thunderbots::wire::EStop eStop = thunderbots::wire::EStop::Uninitialized;
     thunderbots::RobotMask robots = 0;  ///< Those that it is about.
     thunderbots::TrafficCounters traffic{};
+    bool serial = false;  ///< It is about a serial port, and not a device on USB.
+    Answerer answerer = Answerer::Nxt;
+    int answering = 0;  ///< How many boards do.
 };
 
 /// Lines for what could not be looked at because something before it is wrong.
@@ -66,6 +73,9 @@ std::vector<Finding> diagnoseLink(const thunderbots::Snapshot& state);
 std::vector<Finding> diagnoseFailedLink(const LinkUri& uri, const Error& error);
 /// The line for a link that runs.
 Finding runningLink(const LinkUri& uri, const thunderbots::Snapshot& state);
+
+/// What is said about the link of a session and what lies behind it, in any state.
+std::vector<Finding> diagnoseSession(const SessionSnapshot& session);
 
 /// Everything, as the engine sees it now; `shown` is the session that a person looks at, null where there is
 /// none.

@@ -156,9 +156,10 @@ void EngineCore::closed(const SessionSlot* slot) {
 }
 
 void EngineCore::discover(CommandId id) {
-    links_.discover(scheduler_, [this, id, alive = std::weak_ptr(alive_)](std::vector<FoundDevice> found) {
+    links_.discover(scheduler_, [this, id, alive = std::weak_ptr(alive_)](FoundHardware found) {
         if (alive.expired()) return;
-        found_ = std::move(found);
+        found_ = std::move(found.devices);
+        ports_ = std::move(found.ports);
         discovered_ = true;
         ++ownVersion_;
         answer({id, 0, {}});
@@ -219,6 +220,7 @@ void EngineCore::publishIfChanged() {
     snapshot.heartbeatFresh = heartbeatFresh_;
     snapshot.discovered = discovered_;
     snapshot.found = found_;
+    snapshot.ports = ports_;
     snapshot.sessions.reserve(sessions_.size());
     for (const auto& slot : sessions_)
         snapshot.sessions.push_back(slot->snapshot());

@@ -86,6 +86,7 @@ class EngineCore {
     std::vector<std::unique_ptr<SessionSlot>> sessions_;
     std::vector<Closing> closing_;
     std::vector<FoundDevice> found_;
+    std::vector<BytePort> ports_;
     bool discovered_ = false;
     std::uint64_t stopsSeen_ = 0;  ///< Of the latch's count: how many have been acted on.
     std::uint64_t pressesSeen_ = 0;

@@ -36,6 +36,12 @@ struct FoundDevice {
     std::string rule{};
 };
 
+/// What hardware there is.
+struct FoundHardware {
+    std::vector<FoundDevice> devices;  ///< What is known to be one of ours.
+    std::vector<BytePort> ports;       ///< Serial ports, at which anything may be; by their names.
+};
+
 /// A link ready to be opened, with what it stands on.
 struct ProvidedUsbLink {
     std::shared_ptr<void> keepAlive;  ///< A simulated device; destroyed after the link.
@@ -73,7 +79,7 @@ class LinkProvider {
     /// `sim:smartdevice` for simulated ones. Errors as makeByteLink().
     virtual Result<ProvidedBytePorts> makeBytePorts(const LinkUri& uri, Scheduler& scheduler);
     /// Looks for hardware on a thread of its own and posts what there is to the scheduler.
-    virtual void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) = 0;
+    virtual void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) = 0;
 };
 
 }  // namespace kickstand

@@ -35,7 +35,7 @@ struct SimPerform {
     double value = 0;
 };
 
-/// Looks for hardware again; the snapshot's `found` is what there was.
+/// Looks for hardware again; the snapshot's `found` and `ports` are what there was.
 struct Discover {};
 
 /// All that can be asked of the engine, as plain values.
@@ -90,6 +90,7 @@ struct EngineSnapshot {
     bool heartbeatFresh = false;
     bool discovered = false;  ///< Whether `found` has been filled since the engine started.
     std::vector<FoundDevice> found;
+    std::vector<BytePort> ports;  ///< The serial ports there were then.
     std::vector<SessionSnapshot> sessions;
 };
 

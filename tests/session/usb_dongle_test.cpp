@@ -36,7 +36,7 @@ class UsbLinks final : public LinkProvider {
         provided.link = makeLibusbLink(scheduler, dongle());
         return provided;
     }
-    void discover(Scheduler&, std::function<void(std::vector<FoundDevice>)>) override {}
+    void discover(Scheduler&, std::function<void(FoundHardware)>) override {}
 };
 
 class DongleOnUsb : public ::testing::Test {

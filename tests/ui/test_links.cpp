@@ -46,14 +46,14 @@ class TestLinks final : public LinkProvider {
         return provided;
     }
 
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         scheduler.post([board = board_, found = std::move(found)] {
-            std::vector<FoundDevice> devices;
+            FoundHardware hardware;
             {
                 const std::lock_guard lock(board->mutex);
-                devices = board->found;
+                hardware = board->found;
             }
-            found(std::move(devices));
+            found(std::move(hardware));
         });
     }
 
@@ -63,9 +63,9 @@ class TestLinks final : public LinkProvider {
 
 }  // namespace
 
-void LinkBoard::setFound(std::vector<FoundDevice> devices) {
+void LinkBoard::setFound(std::vector<FoundDevice> devices, std::vector<BytePort> ports) {
     const std::lock_guard lock(mutex);
-    found = std::move(devices);
+    found = {std::move(devices), std::move(ports)};
 }
 
 std::vector<std::string> LinkBoard::openedLinks() {

@@ -13,10 +13,10 @@ namespace kickstand::test {
 struct LinkBoard {
     WireLog wire;
     std::mutex mutex;
-    std::vector<FoundDevice> found;   ///< What discovery finds.
+    FoundHardware found;              ///< What discovery finds.
     std::vector<std::string> opened;  ///< The URIs that links were made for.
 
-    void setFound(std::vector<FoundDevice> devices);
+    void setFound(std::vector<FoundDevice> devices, std::vector<BytePort> ports = {});
     std::vector<std::string> openedLinks();
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/engine/describe.h"
 #include "ui/shell/bench.h"
+#include "ui/shell/port_offers.h"
 #include "ui/shell/system_view.h"
 
 namespace kickstand::ui {
@@ -76,8 +77,12 @@ QString Connector::titleOf(const FoundDevice& found) {
 
 void Connector::fillMenu() {
     menu_->clear();
+    // Their menus outlive actions.
+    for (QMenu* const old : menu_->findChildren<QMenu*>())
+        old->deleteLater();
     bench_.client().submit(0, Discover{});
     addFound();
+    addPorts();
     addOffers();
     addRecent();
     addSessions();
@@ -101,6 +106,17 @@ void Connector::addFound() {
     if (snapshot.found.empty()) {
         menu_->addAction(snapshot.discovered ? tr("No hardware found") : tr("Looking\u2026"))
             ->setEnabled(false);
+    }
+}
+
+void Connector::addPorts() {
+    const EngineSnapshot& snapshot = bench_.client().snapshot();
+    if (snapshot.ports.empty()) return;
+    menu_->addSection(tr("Serial ports"));
+    for (const BytePort& port : snapshot.ports) {
+        QMenu* const systems = menu_->addMenu(ui::titleOf(port));
+        systems->setToolTipsVisible(true);
+        ui::addOffers(*systems, port, bench_.systems(), *this);
     }
 }
 

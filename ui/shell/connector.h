@@ -38,6 +38,7 @@ class Connector final : public QObject {
   private:
     void fillMenu();
     void addFound();
+    void addPorts();
     void addOffers();
     void addRecent();
     void addSessions();

@@ -2,13 +2,16 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "core/engine/describe.h"
+#include "core/engine/describe_facts.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
+#include "ui/shell/port_offers.h"
 #include "ui/shell/system_view.h"
 #include "ui/widgets/bench_style.h"
 #include "ui/widgets/tokens.h"
@@ -102,14 +105,25 @@ void StartPage::addOffers(QVBoxLayout* column) {
             }
             row->addWidget(button);
         }
-        if (row != nullptr) {
-            auto* other = new QPushButton(tr("Enter link\u2026"), this);
-            other->setAutoDefault(false);
-            connect(other, &QPushButton::clicked, &connector_, &Connector::askForLink);
-            row->addWidget(other);
-            row->addStretch(1);
-        }
+        if (row != nullptr) row->addStretch(1);
     }
+    auto* other = new QPushButton(tr("Enter link\u2026"), this);
+    other->setObjectName(QStringLiteral("startEnterLink"));
+    other->setAutoDefault(false);
+    connect(other, &QPushButton::clicked, &connector_, &Connector::askForLink);
+    column->addWidget(other, 0, Qt::AlignLeft);
+}
+
+void StartPage::addPort(const BytePort& port) {
+    auto* button = new QPushButton(tr("Connect to %1 as").arg(titleOf(port)), this);
+    button->setObjectName(QStringLiteral("startPort"));
+    button->setAutoDefault(false);
+    button->setToolTip(tr("A serial port does not say what is at its other end: choose it."));
+    auto* menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
+    ui::addOffers(*menu, port, bench_.systems(), connector_);
+    button->setMenu(menu);
+    found_->addWidget(button);
 }
 
 void StartPage::refresh() {
@@ -128,6 +142,8 @@ void StartPage::refresh() {
     for (const FoundDevice& found : snapshot.found) {
         now << Connector::titleOf(found) + (found.obstacle ? describe(*found.obstacle).line() : QString());
     }
+    for (const BytePort& port : snapshot.ports)
+        now << titleOf(port) + printable(port.name);
     if (now == shown_) return;
     shown_ = now;
     clear(found_);
@@ -140,6 +156,8 @@ void StartPage::refresh() {
         found_->addWidget(button);
         if (found.obstacle) found_->addWidget(wrapped(describe(*found.obstacle).line(), this));
     }
+    for (const BytePort& port : snapshot.ports)
+        addPort(port);
 }
 
 void StartPage::paintEvent(QPaintEvent*) {

@@ -28,6 +28,7 @@ class StartPage final : public QWidget {
 
   private:
     void addOffers(QVBoxLayout* column);
+    void addPort(const BytePort& port);
     void refresh();
 
     Bench& bench_;

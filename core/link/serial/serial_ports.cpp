@@ -30,11 +30,8 @@ BytePort describe(const QSerialPortInfo& info) {
 }
 
 std::vector<BytePort> lookForUsb() {
-    std::vector<BytePort> found;
-    for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
-        if (info.hasVendorIdentifier()) found.push_back(describe(info));
-    }
-    std::ranges::sort(found, {}, &BytePort::name);
+    std::vector<BytePort> found = listSerialPorts();
+    std::erase_if(found, [](const BytePort& port) { return port.vendor == 0; });
     return found;
 }
 
@@ -119,6 +116,14 @@ class SerialPorts final : public BytePorts {
 };
 
 }  // namespace
+
+std::vector<BytePort> listSerialPorts() {
+    std::vector<BytePort> found;
+    for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts())
+        found.push_back(describe(info));
+    std::ranges::sort(found, {}, [](const BytePort& port) { return std::pair(port.vendor == 0, port.name); });
+    return found;
+}
 
 std::unique_ptr<BytePorts> makeSerialPorts(Scheduler& scheduler, std::string only) {
     return std::make_unique<SerialPorts>(scheduler, std::move(only));

@@ -89,7 +89,7 @@ class TappedLinks final : public LinkProvider {
         provided->link = std::move(tapped);
         return provided;
     }
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         scheduler.post([found = std::move(found)] { found({}); });
     }
 

@@ -46,7 +46,7 @@ Result<ProvidedUsbLink> SessionRig::makeUsbLink(const LinkUri& uri, Scheduler& s
     return provided;
 }
 
-void SessionRig::discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) {
+void SessionRig::discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) {
     scheduler.post([found = std::move(found)] { found({}); });
 }
 

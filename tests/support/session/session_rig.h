@@ -102,7 +102,7 @@ class SessionRig final : private LinkProvider, private UsbTapObserver {
 
   private:
     Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler& scheduler) override;
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override;
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override;
     void observe(const UsbTapRecord& record) override;
     void heartbeat();
     void readFlows();

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/engine/describe_findings.h"
@@ -134,6 +136,114 @@ TEST(DiagnoseLink, ACableNeedsNoRadios) {
     state.cable = true;
     state.radios = thunderbots::wire::RadioState::PreInit;
     EXPECT_EQ(find(diagnoseLink(state), Check::Radios).state, State::Ok);
+}
+
+template <class State>
+std::vector<Finding> diagnosed(const char* uri, State state) {
+    SessionSnapshot snapshot;
+    snapshot.uri = *parseLinkUri(uri);
+    snapshot.system = std::move(state);
+    return diagnoseSession(snapshot);
+}
+
+constexpr const char* kNxt = "serial:/dev/rfcomm0?protocol=motionplan";
+
+TEST(DiagnoseSerial, AnNxtThatAnswersIsWellAndNothingIsSaidOfRadiosAndRobots) {
+    motionplan::Snapshot state;
+    state.link = motionplan::LinkState::Running;
+    state.port.port = "/dev/rfcomm0";
+    state.answers = true;
+    const auto findings = diagnosed(kNxt, state);
+    std::vector<std::string> checks;
+    for (const Finding& finding : findings) {
+        checks.emplace_back(name(finding.check));
+        EXPECT_EQ(finding.state, State::Ok) << name(finding.check);
+        EXPECT_TRUE(describe(finding).what.endsWith(QLatin1Char('.'))) << name(finding.check);
+    }
+    EXPECT_EQ(checks, (std::vector<std::string>{"device", "permission", "claim", "link", "answers"}));
+    EXPECT_TRUE(describe(find(findings, Check::Device)).what.contains(QStringLiteral("/dev/rfcomm0")));
+}
+
+TEST(DiagnoseSerial, WhatIsWrongWithThePortIsSaidWhereItBelongs) {
+    const std::pair<Errc, Check> cases[] = {{Errc::NoDevice, Check::Device},
+                                            {Errc::PermissionDenied, Check::Permission},
+                                            {Errc::ClaimedElsewhere, Check::Claim},
+                                            {Errc::Io, Check::Link}};
+    for (const auto& [code, check] : cases) {
+        motionplan::Snapshot state;
+        state.link =
+            code == Errc::NoDevice ? motionplan::LinkState::Searching : motionplan::LinkState::Failed;
+        state.error = Error{.code = code, .port = "/dev/rfcomm0"};
+        const auto findings = diagnosed(kNxt, state);
+        bool after = false;
+        for (const Finding& finding : findings) {
+            const State expected = after                    ? State::NotChecked
+                                   : finding.check == check ? State::Problem
+                                                            : State::Ok;
+            EXPECT_EQ(finding.state, expected) << name(code) << ' ' << name(finding.check);
+            after = after || finding.check == check;
+        }
+        const Description words = describe(find(findings, check));
+        EXPECT_TRUE(words.what.contains(QStringLiteral("/dev/rfcomm0"))) << words.what.toStdString();
+        EXPECT_FALSE(words.remedy.isEmpty());
+    }
+}
+
+TEST(DiagnoseSerial, AnNxtThatIsSilentOrRunsNoProgramIsWrong) {
+    motionplan::Snapshot state;
+    state.link = motionplan::LinkState::Running;
+    Finding answers = find(diagnosed(kNxt, state), Check::Answers);
+    EXPECT_EQ(answers.state, State::Problem);
+    EXPECT_TRUE(describe(answers).what.contains(QStringLiteral("no NXT answers")));
+    state.answers = true;
+    state.nxtStatus = 0xEC;
+    answers = find(diagnosed(kNxt, state), Check::Answers);
+    EXPECT_EQ(answers.state, State::Problem);
+    EXPECT_TRUE(describe(answers).remedy.contains(QStringLiteral("Start the robot's program")));
+}
+
+TEST(DiagnoseSerial, APortWithoutARadioModuleIsOpenAndDoesNotAnswer) {
+    coach::Snapshot state;
+    state.link = coach::LinkState::NoModule;
+    const auto findings = diagnosed("serial:/dev/ttyUSB0?protocol=coach", state);
+    EXPECT_EQ(find(findings, Check::Link).state, State::Ok);
+    EXPECT_EQ(find(findings, Check::Answers).state, State::Problem);
+    state.link = coach::LinkState::Running;
+    EXPECT_EQ(find(diagnosed("sim:coach", state), Check::Answers).state, State::Ok);
+}
+
+TEST(DiagnoseSerial, BoardsAreCountedAndPortsThatCannotBeOpenedNamed) {
+    smartdevice::Snapshot state;
+    state.link = smartdevice::LinkState::Running;
+    EXPECT_EQ(find(diagnosed("serial:", state), Check::Answers).state, State::Problem);
+    EXPECT_EQ(find(diagnosed("serial:/dev/ttyACM0", state), Check::Device).state, State::Problem);
+    EXPECT_EQ(find(diagnosed("serial:/dev/ttyACM0", state), Check::Answers).state, State::NotChecked);
+    state.devices.resize(2);
+    state.devices[1].presence = smartdevice::Presence::Live;
+    smartdevice::PortState& port = state.ports.emplace_back();
+    port.name = "/dev/ttyACM1";
+    port.error = Error{.code = Errc::PermissionDenied, .port = "/dev/ttyACM1"};
+    const auto findings = diagnosed("serial:", state);
+    EXPECT_EQ(find(findings, Check::Permission).state, State::Problem);
+    EXPECT_TRUE(describe(find(findings, Check::Permission)).what.contains(QStringLiteral("ttyACM1")));
+    EXPECT_EQ(find(findings, Check::Answers).state, State::Ok);
+    EXPECT_TRUE(describe(find(findings, Check::Answers)).what.contains(QStringLiteral(": 1")));
+}
+
+TEST(Diagnose, ASessionOnASerialPortIsNotAskedForItsDongle) {
+    SessionSnapshot snapshot;
+    snapshot.uri = *parseLinkUri(kNxt);
+    motionplan::Snapshot state;
+    state.link = motionplan::LinkState::Searching;
+    state.error = Error{.code = Errc::NoDevice, .port = "/dev/rfcomm0"};
+    snapshot.system = state;
+    EngineSnapshot engine;
+    engine.discovered = true;
+    const auto findings = diagnose(engine, &snapshot);
+    EXPECT_EQ(std::ranges::count(findings, Check::Device, &Finding::check), 1);
+    EXPECT_TRUE(describe(find(findings, Check::Device)).what.contains(QStringLiteral("serial port")));
+    EXPECT_EQ(std::ranges::count(findings, Check::Stop, &Finding::check), 1);
+    EXPECT_EQ(std::ranges::count(findings, Check::Radios, &Finding::check), 0);
 }
 
 SessionSnapshot session(const char* uri, thunderbots::Snapshot state) {

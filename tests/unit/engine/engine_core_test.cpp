@@ -355,7 +355,7 @@ TEST_F(EngineCoreTest, LeavesNothingOfItselfOnTheScheduler) {
         Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler&) override {
             return fail(Errc::BadUri, toString(uri));
         }
-        void discover(Scheduler&, std::function<void(std::vector<FoundDevice>)>) override {}
+        void discover(Scheduler&, std::function<void(FoundHardware)>) override {}
     } links;
     {
         EngineCore core(scheduler, links, {});

@@ -36,7 +36,7 @@ class SimulatedLinks final : public LinkProvider {
         provided.keepAlive = std::move(sim);
         return provided;
     }
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         scheduler.post([found = std::move(found)] { found({}); });
     }
 };
@@ -243,7 +243,7 @@ class HeldLinks final : public LinkProvider {
     Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler&) override {
         return fail(Errc::BadUri, toString(uri));
     }
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         letGo_.wait();
         scheduler.post([found = std::move(found)] { found({}); });
     }
