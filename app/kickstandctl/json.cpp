@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/engine/describe_facts.h"
+
 namespace kickstand::ctl {
 namespace {
 
@@ -118,6 +120,8 @@ QJsonObject toJson(const Engine& engine, const EngineEvent& event) {
         {QStringLiteral("text"), describe(event).text}};
     if (const int robot = robotOf(event); robot >= 0) json[QStringLiteral("robot")] = robot;
     const auto* system = std::get_if<SystemEvent>(&event.body);
+    const auto* board = system == nullptr ? nullptr : std::get_if<smartdevice::Event>(system);
+    if (board != nullptr && board->robot >= 0) json[QStringLiteral("device")] = printable(board->device);
     const auto* own = system == nullptr ? nullptr : std::get_if<coach::Event>(system);
     if (own != nullptr && own->team >= 0) json[QStringLiteral("team")] = own->team;
     return json;

@@ -43,10 +43,8 @@ QString clockText(const Engine& engine, TimePoint time) {
 }
 
 QString eventLine(const Engine& engine, const EngineEvent& event) {
-    const int robot = robotOf(event);
-    const QString about = robot < 0 ? QString() : Words::tr("robot %1").arg(robot);
     return QStringLiteral("%1  %2  %3")
-        .arg(clockText(engine, timeOf(event)), about.leftJustified(8), describe(event).text);
+        .arg(clockText(engine, timeOf(event)), aboutOf(event).leftJustified(8), describe(event).text);
 }
 
 QString deviceText(const LinkUri& uri, const thunderbots::Snapshot& state) {

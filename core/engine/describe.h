@@ -30,8 +30,10 @@ struct EventText {
 };
 /// The words for an event, and how much it matters.
 EventText describe(const EngineEvent& event);
-/// The robot an event concerns, or -1.
+/// The robot an event concerns, or -1; of smart devices the board's number.
 int robotOf(const EngineEvent& event);
+/// "robot 3", "PolarBear 0": whom an event concerns; empty where nobody in particular.
+QString aboutOf(const EngineEvent& event);
 /// When it happened, on the engine's clock.
 TimePoint timeOf(const EngineEvent& event);
 

@@ -304,6 +304,18 @@ int robotIn(const coach::Event&) {
 int robotIn(const SystemEvent& event) {
     return std::visit([](const auto& one) { return robotIn(one); }, event);
 }
+template <class Event>
+QString aboutIn(const Event& event) {
+    const int robot = robotIn(event);
+    return robot < 0 ? QString() : EventWords::tr("robot %1").arg(robot);
+}
+QString aboutIn(const smartdevice::Event& event) {
+    return event.robot < 0 ? QString()
+                           : QStringLiteral("%1 %2").arg(printable(event.device)).arg(event.robot);
+}
+QString aboutIn(const SystemEvent& event) {
+    return std::visit([](const auto& one) { return aboutIn(one); }, event);
+}
 TimePoint timeIn(const EngineNote& note) {
     return note.time;
 }
@@ -319,6 +331,10 @@ EventText describe(const EngineEvent& event) {
 
 int robotOf(const EngineEvent& event) {
     return std::visit([](const auto& body) { return robotIn(body); }, event.body);
+}
+
+QString aboutOf(const EngineEvent& event) {
+    return std::visit([](const auto& body) { return aboutIn(body); }, event.body);
 }
 
 TimePoint timeOf(const EngineEvent& event) {

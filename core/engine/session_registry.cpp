@@ -12,6 +12,10 @@
 namespace kickstand {
 namespace {
 
+/// Many boards have many parameters, each seldom as fast as a robot's: more series, each shorter, in less
+/// memory than the robots' take.
+constexpr TelemetryLimits kManyBoards{.series = 512, .samples = 30'000, .pastBlocks = 4'000};
+
 using Maker = Result<MadeSession> (*)(const LinkUri&, LinkProvider&, const SessionEnvironment&);
 
 struct System {
@@ -64,6 +68,7 @@ Result<MadeSession> makeSmartDevices(const LinkUri& uri, LinkProvider& links,
     MadeSession made;
     made.keepAlive = std::move(provided->keepAlive);
     made.sim = provided->sim;
+    made.telemetry = kManyBoards;
     smartdevice::Session::Host host{environment.scheduler, environment.stop, environment.samples,
                                     environment.event, environment.answer};
     made.session = std::make_unique<SystemSessionOf<smartdevice::Session, smartdevice::Command>>(

@@ -5,6 +5,7 @@
 #include "core/engine/link_provider.h"
 #include "core/engine/system_session.h"
 #include "core/link/link_uri.h"
+#include "core/telemetry/store.h"
 
 namespace kickstand {
 
@@ -22,6 +23,7 @@ struct MadeSession {
     std::shared_ptr<void> keepAlive;  ///< Destroyed after the session.
     std::unique_ptr<SystemSession> session;
     SimControl* sim = nullptr;
+    TelemetryLimits telemetry{};
 };
 
 /// Makes the session of the system that a URI belongs to. Errors: BadUri, Unsupported, and the provider's.

@@ -38,6 +38,7 @@ Result<void> SessionSlot::open(LinkProvider& links, Scheduler& scheduler, StopLa
     auto made = makeSession(uri_, links, environment);
     if (!made) return fail(made.error());
     made_ = std::move(*made);
+    telemetry_ = std::make_shared<TelemetryStore>(made_.telemetry);
     made_.session->start();
     return {};
 }

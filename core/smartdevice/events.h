@@ -35,7 +35,8 @@ std::string_view name(EventKind kind) noexcept;
 struct Event {
     EventKind kind = EventKind::PortFound;
     TimePoint time{};
-    int robot = -1;  ///< The device it concerns, or -1.
+    int robot = -1;      ///< The device it concerns, or -1.
+    std::string device;  ///< Its name; empty where it concerns none.
     std::int64_t code = 0;
     std::int64_t previous = 0;
     double value = 0;

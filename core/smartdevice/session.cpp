@@ -23,6 +23,7 @@ void Session::raise(EventKind kind, int device, std::string text, std::int64_t c
     event.kind = kind;
     event.time = host_.scheduler.now();
     event.robot = device;
+    if (device >= 0) event.device = devices_[static_cast<std::size_t>(device)]->state().spec->name;
     event.text = std::move(text);
     event.code = code;
     host_.event(event);
@@ -106,6 +107,7 @@ Device* Session::makeDevice(const wire::Uid& uid) {
     };
     host.event = [this, number](Event event) {
         event.robot = number;
+        event.device = devices_[static_cast<std::size_t>(number)]->state().spec->name;
         event.time = host_.scheduler.now();
         host_.event(event);
         ++version_;

@@ -12,6 +12,7 @@ EventLine line(const QString& text, int robot = -1, Severity severity = Severity
     EventLine made;
     made.text = text;
     made.robot = robot;
+    made.about = robot < 0 ? QString() : QStringLiteral("robot %1").arg(robot);
     made.severity = severity;
     return made;
 }

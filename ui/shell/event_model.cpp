@@ -48,7 +48,7 @@ void EventModel::add(std::vector<EventLine> lines) {
 bool EventModel::counted(const EventLine& line) {
     if (!line.countable || lines_.empty()) return false;
     EventLine& last = lines_.back();
-    if (!last.countable || last.text != line.text || last.robot != line.robot) return false;
+    if (!last.countable || last.text != line.text || last.about != line.about) return false;
     ++last.count;
     last.time = line.time;
     emit dataChanged(index(0, 0), index(0, ColumnCount - 1));
@@ -93,7 +93,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
         case Time:
             return clockText(line.time);
         case Robot:
-            return line.robot < 0 ? QString() : tr("robot %1").arg(line.robot);
+            return line.about;
         default:
             return textOf(line);
     }

@@ -14,6 +14,7 @@ namespace kickstand::ui {
 struct EventLine {
     std::chrono::system_clock::time_point time;
     int robot = -1;
+    QString about;  ///< "robot 3": whom it concerns.
     QString text;
     Severity severity = Severity::Information;
     /// Lines that may repeat are counted instead of repeated.

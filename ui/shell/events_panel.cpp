@@ -219,6 +219,7 @@ void EventsPanel::take(const std::vector<EngineEvent>& events, quint64 lost) {
         EventLine line;
         line.time = bench().client().wallTime(timeOf(event));
         line.robot = robotOf(event);
+        line.about = aboutOf(event);
         line.text = std::move(words.text);
         line.severity = words.severity;
         line.place = placeOf(event);
@@ -232,6 +233,7 @@ void EventsPanel::takeRefusal(const Error& error) {
     EventLine line;
     line.time = std::chrono::system_clock::now();
     line.robot = error.robot.value_or(-1);
+    if (line.robot >= 0) line.about = tr("robot %1").arg(line.robot);
     line.text = tr("Refused: %1").arg(describe(error).line());
     line.severity = Severity::Warning;
     line.countable = true;

@@ -146,5 +146,17 @@ TEST(EventFacts, RobotAndTimeOfBothSorts) {
     EXPECT_EQ(timeOf(EngineEvent{0, note}), TimePoint(Duration(9)));
 }
 
+TEST(DescribeEvent, WhomItConcernsIsARobotsNumberOrABoardsName) {
+    thunderbots::Event robot;
+    robot.robot = 7;
+    EXPECT_EQ(aboutOf(EngineEvent{1, SystemEvent(robot)}), QStringLiteral("robot 7"));
+    smartdevice::Event board;
+    EXPECT_TRUE(aboutOf(EngineEvent{1, SystemEvent(board)}).isEmpty());
+    board.robot = 3;
+    board.device = "PolarBear";
+    EXPECT_EQ(aboutOf(EngineEvent{1, SystemEvent(board)}), QStringLiteral("PolarBear 3"));
+    EXPECT_TRUE(aboutOf(EngineEvent{0, EngineNote{}}).isEmpty());
+}
+
 }  // namespace
 }  // namespace kickstand
