@@ -47,6 +47,7 @@ Outcome once(const Context& context, Do act) {
     SessionRunner runner(context);
     Outcome outcome = begin(runner);
     if (outcome) outcome = act(runner);
+    if (outcome) askForTrigger(runner);
     if (outcome) showRobot(context.output, runner.uri(), runner.stateOf<motionplan::Snapshot>());
     runner.leave();
     return outcome;
@@ -107,7 +108,6 @@ Outcome trigger(const Context& context) {
 
 Outcome status(const Context& context) {
     return once(context, [](SessionRunner& runner) -> Outcome {
-        if (auto asked = runner.perform(motionplan::ReadTrigger{}, kRequestLimit); !asked) return asked;
         const auto heard = runner.waitUntil(
             [&] { return runner.stateOf<motionplan::Snapshot>().execution.step > 0; }, kStatusLimit);
         if (!heard) return tl::unexpected(heard.error());
@@ -118,11 +118,16 @@ Outcome status(const Context& context) {
 Outcome stop(const Context& context) {
     SessionRunner runner(context);
     Outcome outcome = begin(runner);
+    motionplan::Snapshot robot;
+    if (outcome) robot = stopAndAsk(runner);
     const bool stopped = runner.finish();
-    if (outcome && !stopped) outcome = failed({.code = Errc::Unconfirmed, .subject = "stop"});
     if (!outcome) return outcome;
-    context.output.value(QJsonObject{{QStringLiteral("stopped"), true}});
-    context.output.line(Words::tr("The robot stands, as it says itself."));
+    QJsonObject facts{{QStringLiteral("stopped"), stopped}};
+    addClosing(facts, robot);
+    context.output.value(facts);
+    if (stopped) context.output.line(Words::tr("The robot stands, as it says itself."));
+    if (const QString closing = closingText(robot); !closing.isEmpty()) context.output.line(closing);
+    if (!stopped) return failed({.code = Errc::Unconfirmed, .subject = "stop"});
     return {};
 }
 
@@ -186,6 +191,17 @@ constexpr CommandSpec kCommands[] = {
 
 Outcome beginMotionplan(SessionRunner& runner) {
     return begin(runner);
+}
+
+void askForTrigger(SessionRunner& runner) {
+    if (runner.stateOf<motionplan::Snapshot>().trigger.known) return;
+    static_cast<void>(runner.perform(motionplan::ReadTrigger{}, kRequestLimit));
+}
+
+motionplan::Snapshot stopAndAsk(SessionRunner& runner) {
+    static_cast<void>(runner.perform(motionplan::StopPlan{}, kRequestLimit));
+    askForTrigger(runner);
+    return runner.stateOf<motionplan::Snapshot>();
 }
 
 std::span<const CommandSpec> motionplanCommands() {

@@ -31,6 +31,7 @@ class Run {
     SessionRunner& runner() { return runner_; }
     Outcome begin() {
         if (auto begun = beginMotionplan(runner_); !begun) return begun;
+        askForTrigger(runner_);
         runner_.setObserver([this](const EngineEvent& event) {
             context_.output.value(toJson(runner_.engine(), event));
             context_.output.line(eventLine(runner_.engine(), event));
@@ -45,17 +46,20 @@ class Run {
         return {};
     }
     Outcome end(Outcome outcome) {
-        const bool began = robotOf(runner_).connections > 0;
+        const motionplan::Snapshot before = robotOf(runner_);
+        const bool began = before.connections > 0;
         const bool stopped = runner_.finish();
         if (!began) return outcome;
         if (outcome && !stopped) outcome = failed({.code = Errc::Unconfirmed, .subject = "stop"});
         QJsonObject facts{{QStringLiteral("type"), QStringLiteral("end")},
                           {QStringLiteral("plan_ended"), completed_},
                           {QStringLiteral("stopped"), stopped}};
+        addClosing(facts, before);
         if (!outcome) facts[QStringLiteral("error")] = toJson(outcome.error());
         context_.output.value(facts);
         context_.output.line(stopped ? Words::tr("The robot stands, as it says itself.")
                                      : Words::tr("Whether the robot stands is not known."));
+        if (const QString closing = closingText(before); !closing.isEmpty()) context_.output.line(closing);
         return outcome;
     }
 

@@ -3,24 +3,43 @@
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
+#include "app/kickstandctl/plan_report.h"
 #include "app/kickstandctl/session_runner.h"
 #include "app/kickstandctl/words.h"
 
 namespace kickstand::ctl {
 namespace {
 
+/// What is said of a link whose robots were stopped.
+QString stoppedText(const QString& link, const SystemSnapshot& system) {
+    if (std::holds_alternative<thunderbots::Snapshot>(system))
+        return Words::tr("%1: all robots were told to brake; chargers, dribblers and autokick are off.")
+            .arg(link);
+    if (std::holds_alternative<motionplan::Snapshot>(system))
+        return Words::tr("%1: the robot stands, as it says itself.").arg(link);
+    return Words::tr("%1: everything was told to stop.").arg(link);
+}
+
 /// Opens one link, which brakes all robots, and leaves them braked.
 QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<Failure>& failure) {
     const QString link = QString::fromStdString(toString(uri));
     SessionRunner runner(context);
     Outcome outcome = runner.connect(uri);
+    SystemSnapshot system;
+    if (runner.session() != nullptr) system = runner.session()->system;
+    const bool onNxt = outcome && std::holds_alternative<motionplan::Snapshot>(system);
+    if (onNxt) system = stopAndAsk(runner);
     const bool braked = runner.finish();
     if (outcome && !braked) outcome = failed({.code = Errc::TimedOut, .subject = toString(uri)});
     QJsonObject json{{QStringLiteral("link"), link}, {QStringLiteral("braked"), braked}};
+    QString closing;
+    if (const auto* const robot = std::get_if<motionplan::Snapshot>(&system); onNxt && robot != nullptr) {
+        addClosing(json, *robot);
+        closing = closingText(*robot);
+    }
     if (outcome) {
-        context.output.line(
-            Words::tr("%1: all robots were told to brake; chargers, dribblers and autokick are off.")
-                .arg(link));
+        context.output.line(stoppedText(link, system));
+        if (!closing.isEmpty()) context.output.line(closing);
     } else {
         json[QStringLiteral("error")] = toJson(outcome.error());
         if (!failure) failure = outcome.error();

@@ -37,12 +37,15 @@ QJsonObject keptToJson(const Kept& kept) {
     return json;
 }
 
+QString heldText(bool known, int plan) {
+    if (!known) return Words::tr("not asked");
+    if (plan == motionplan::wire::kNoPlan) return Words::tr("empty");
+    return Words::tr("plan %1").arg(plan);
+}
+
 template <class Kept>
 QStringList keptRow(const QString& place, const Kept& kept) {
-    const QString plan = !kept.known      ? Words::tr("not asked")
-                         : kept.plan == 0 ? Words::tr("empty")
-                                          : Words::tr("plan %1").arg(kept.plan);
-    return {place, plan, planText(kept.movements)};
+    return {place, heldText(kept.known, kept.plan), planText(kept.movements)};
 }
 
 }  // namespace
@@ -61,12 +64,34 @@ QJsonObject robotToJson(const LinkUri& uri, const motionplan::Snapshot& state) {
         execution[QStringLiteral("step")] = state.execution.step;
         execution[QStringLiteral("stale")] = state.execution.stale;
     }
-    return {{QStringLiteral("link"), QString::fromStdString(toString(uri))},
-            {QStringLiteral("simulated"), uri.isSimulated()},
-            {QStringLiteral("nxt_status"), QLatin1String(motionplan::wire::nxtStatus(state.nxtStatus).id)},
-            {QStringLiteral("slots"), slotArray},
-            {QStringLiteral("trigger"), keptToJson(state.trigger)},
-            {QStringLiteral("execution"), execution}};
+    QJsonObject json{
+        {QStringLiteral("link"), QString::fromStdString(toString(uri))},
+        {QStringLiteral("simulated"), uri.isSimulated()},
+        {QStringLiteral("nxt_status"), QLatin1String(motionplan::wire::nxtStatus(state.nxtStatus).id)},
+        {QStringLiteral("slots"), slotArray},
+        {QStringLiteral("trigger"), keptToJson(state.trigger)},
+        {QStringLiteral("execution"), execution}};
+    addClosing(json, state);
+    return json;
+}
+
+void addClosing(QJsonObject& json, const motionplan::Snapshot& state) {
+    const int plan = state.trigger.plan;
+    if (plan != motionplan::wire::kNoPlan)
+        json[QStringLiteral("starts_when_closed")] = plan;
+    else if (state.trigger.known)
+        json[QStringLiteral("starts_when_closed")] = QJsonValue(QJsonValue::Null);
+}
+
+QString closingText(const motionplan::Snapshot& state) {
+    const int plan = state.trigger.plan;
+    if (plan != motionplan::wire::kNoPlan && state.trigger.known)
+        return Words::tr("Closing the connection starts its trigger plan %1: it drives off now.").arg(plan);
+    if (plan != motionplan::wire::kNoPlan)
+        return Words::tr("Closing the connection may start its trigger plan %1: it may drive off now.")
+            .arg(plan);
+    if (state.trigger.known) return {};
+    return Words::tr("Whether it has a trigger plan, which closing the connection starts, is not known.");
 }
 
 void showRobot(Output& output, const LinkUri& uri, const motionplan::Snapshot& state) {
@@ -86,6 +111,7 @@ void showRobot(Output& output, const LinkUri& uri, const motionplan::Snapshot& s
                     .arg(state.execution.step);
     rows.append({Words::tr("robot"), doing, {}});
     output.table(rows);
+    if (const QString closing = closingText(state); !closing.isEmpty()) output.line(closing);
 }
 
 }  // namespace kickstand::ctl

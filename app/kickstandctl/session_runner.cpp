@@ -48,9 +48,9 @@ bool isAtRest(const thunderbots::Snapshot& state, TimePoint since) {
                            return robot.told == thunderbots::wire::brakedBlock() && robot.toldAt >= since;
                        });
 }
-/// Whether the robot has confirmed Stop, or says that nothing executes.
+/// Whether the robot has confirmed Stop since then.
 bool isAtRest(const motionplan::Snapshot& state, TimePoint since) {
-    return state.stopSentAt >= since && !state.active() && !state.request;
+    return state.stopConfirmedAt >= since && !state.active();
 }
 /// Whether no boat is paired, or the one that is has been told to stop. Of a line that was lost nobody knows:
 /// the boat that was driven over it was told nothing.

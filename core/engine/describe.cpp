@@ -28,6 +28,7 @@ Description describe(const Error& error) {
     Description description;
     for (const ErrorText& text : errorTexts()) {
         if (text.code != error.code) continue;
+        if (*text.onlyFor != '\0' && text.onlyFor != error.subject) continue;
         const auto what = fillFacts(translated(text.what), error);
         const auto remedy = *text.remedy == '\0' ? QString() : fillFacts(translated(text.remedy), error);
         if (!what || !remedy) continue;

@@ -40,7 +40,7 @@ struct ExecutePlan {
     int slot = 0;
 };
 
-/// Stops what executes (protocol 4.2).
+/// Stops what executes (protocol 4.2), before everything that waits: that ends with Cancelled.
 struct StopPlan {
     static constexpr bool kMovesNothing = true;
 };

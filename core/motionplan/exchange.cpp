@@ -15,21 +15,31 @@ bool same(ByteView a, ByteView b) {
     return std::ranges::equal(a, b);
 }
 
+/// What lies there may be no trigger plan at all; nothing is none too.
+Result<void> checkTrigger(ByteView content) {
+    if (content.empty()) return {};
+    const auto message = wire::decodeMessage(content);
+    if (message && message->kind == MessageKind::Trigger) return {};
+    return fail({.code = Errc::Malformed, .subject = "trigger plan", .detail = toHex(content)});
+}
+
 std::string hexOrNothing(ByteView bytes) {
     return bytes.empty() ? "nothing" : toHex(bytes);
 }
 
-tl::unexpected<Error> refusal(int code) {
-    return fail({.code = Errc::PlanRefused,
-                 .subject = wire::errorCode(code).id,
-                 .got = code,
-                 .detail = wire::errorCode(code).text});
+tl::unexpected<Error> refusal(int errorCode) {
+    return fail(refusalError(Errc::PlanRefused, errorCode));
 }
 
 }  // namespace
 
+Error refusalError(Errc code, int errorCode) {
+    const wire::ErrorCode why = wire::errorCode(errorCode);
+    return {.code = code, .subject = why.id, .got = errorCode, .detail = why.text};
+}
+
 Exchange::Exchange(Request request, TimePoint now, std::function<bool(ByteView)> isLate)
-    : request_(std::move(request)), isLate_(std::move(isLate)) {
+    : request_(std::move(request)), isLate_(std::move(isLate)), leftovers_(request_.leftovers) {
     if (request_.readsTrigger) {
         enter(Phase::Echo, now + kEchoLimit);
         attempts_ = 1;
@@ -85,6 +95,7 @@ void Exchange::send(TimePoint now) {
 }
 
 void Exchange::emptied(TimePoint now) {
+    if (std::exchange(leftovers_, false) && copySeen_) send(now);
     if (phase_ != Phase::Drain) return;
     if (slotQueries_ == 0) {
         send(now);
@@ -139,7 +150,13 @@ void Exchange::differs(ByteView got) {
 bool Exchange::received(ByteView bytes, TimePoint now) {
     // Before anything was sent nothing that comes belongs here; afterwards it does while drained too.
     if (done() || attempts_ == 0 || request_.readsTrigger) return false;
-    if (same(bytes, bytes_.view())) {
+    const bool copy = same(bytes, bytes_.view());
+    if (leftovers_) {
+        // The copy, the word that nothing executes: all of it may be of a Stop of before.
+        copySeen_ = copySeen_ || copy;
+        return copy;
+    }
+    if (copy) {
         if (phase_ != Phase::Answer && phase_ != Phase::Verdict) echoed(now);
         return true;
     }
@@ -172,7 +189,10 @@ void Exchange::triggerRead(ByteView message) {
     if (!readsTriggerBox()) return;
     triggerContent_.clear();
     hasTriggerContent_ = triggerContent_.append(message);
-    if (request_.readsTrigger || same(message, bytes_.view())) finish({});
+    if (request_.readsTrigger)
+        finish(checkTrigger(message));
+    else if (same(message, bytes_.view()))
+        finish({});
 }
 
 void Exchange::nxtRefused(std::uint8_t status) {
@@ -204,7 +224,12 @@ void Exchange::slotKnown(int plan, TimePoint now) {
 void Exchange::unanswered(TimePoint now) {
     const MessageKind kind = request_.message.kind;
     if (request_.readsTrigger) {
-        finish(fail(Errc::TimedOut, "trigger"));
+        if (attempts_ == attemptsAllowed()) {
+            finish(fail(Errc::TimedOut, "trigger"));
+            return;
+        }
+        ++attempts_;
+        enter(Phase::Echo, now + kEchoLimit);
     } else if (neverAgain()) {
         enter(Phase::Status, now + kStatusLimit);
     } else if (kind == MessageKind::Create || kind == MessageKind::Update) {

@@ -9,6 +9,9 @@
 
 namespace kickstand::motionplan {
 
+/// A refusal by one of the robot's error codes (protocol 4.10), as PlanRefused or WouldBeRefused. Any thread.
+Error refusalError(Errc code, int errorCode);
+
 /// One request to the robot, from before it is sent until it is confirmed or given up (protocol 6.1, 6.2). No
 /// message has a sequence number: what is left from before is drained first, and then the robot's copy of the
 /// message is waited for. What may be sent again is; Execute and Adjust never are. Pure: told what comes and
@@ -27,7 +30,8 @@ class Exchange {
     struct Request {
         wire::Message message{};
         bool readsTrigger = false;
-        bool urgent = false;  ///< STOP: sent before anything is drained.
+        bool urgent = false;     ///< Stop: sent before anything is drained.
+        bool leftovers = false;  ///< What it drains then may hold copies of an earlier Stop.
     };
 
     /// `isLate` says whether bytes are a copy of what an earlier exchange has sent.
@@ -83,6 +87,8 @@ class Exchange {
 
     Request request_;
     std::function<bool(ByteView)> isLate_;
+    bool leftovers_;  ///< Nothing that comes confirms it before the outbox was empty once.
+    bool copySeen_ = false;
     wire::MessageBytes bytes_;
     Phase phase_ = Phase::Drain;
     TimePoint deadline_{};

@@ -57,10 +57,16 @@ void Model::triggerPut(const wire::Message& message, TimePoint now) {
     raise(EventKind::TriggerSet, now, 0, message.plan, static_cast<double>(message.movements.size()));
 }
 
+void Model::triggerUnknown(int plan) {
+    trigger_ = {false, plan, {}, {}};
+}
+
 void Model::triggerRead(ByteView content, TimePoint now) {
+    auto message = wire::decodeMessage(content);
+    const bool is = message && message->kind == MessageKind::Trigger;
+    if (!is && !content.empty()) return;
     trigger_ = {true, wire::kNoPlan, now, {}};
-    if (auto message = wire::decodeMessage(content); message && message->kind == MessageKind::Trigger)
-        trigger_ = {true, message->plan, now, std::move(message->movements)};
+    if (is) trigger_ = {true, message->plan, now, std::move(message->movements)};
     raise(EventKind::TriggerRead, now, 0, trigger_.plan, static_cast<double>(trigger_.movements.size()));
 }
 

@@ -28,7 +28,9 @@ class Model {
     void slotUnknown(int slot);
     void planPut(const wire::Message& createOrUpdate, TimePoint now);
     void triggerPut(const wire::Message& trigger, TimePoint now);
-    /// Nothing: there is none.
+    /// What is there is not known, but it may be this one.
+    void triggerUnknown(int plan);
+    /// Nothing: there is none. What is no trigger plan says nothing.
     void triggerRead(ByteView content, TimePoint now);
     void executeSent(const wire::Message& execute, TimePoint now);
     /// Confirmed, refused, or neither.

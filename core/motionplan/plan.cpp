@@ -1,5 +1,8 @@
 #include "core/motionplan/plan.h"
 
+#include <utility>
+
+#include "core/motionplan/wire/message.h"
 #include "core/motionplan/wire/plan_text.h"
 
 namespace kickstand::motionplan {
@@ -10,11 +13,14 @@ std::string alternativeTo(const Movement& movement) {
     if (sum) return wire::toText(*sum);
     const Error& error = sum.error();
     if (error.code != Errc::NoEncoding) return {};
-    const auto nearest = [&movement](std::int64_t amount) {
-        return wire::toText({movement.wheels, static_cast<int>(amount)});
-    };
-    const std::string above = nearest(*error.highest);
-    return *error.lowest < movement.amount ? nearest(*error.lowest) + " or " + above : above;
+    // The neighbours may have no code of their own either: 93 degrees are 90 and 3.
+    std::string nearest;
+    for (const std::int64_t amount : {*error.lowest, *error.highest}) {
+        const auto there = wire::exactSum(movement.wheels, static_cast<int>(amount), wire::kMostMovements);
+        if (there && wire::toText(*there) != nearest)
+            nearest += (nearest.empty() ? "" : " or ") + wire::toText(*there);
+    }
+    return nearest;
 }
 
 Result<std::vector<std::uint8_t>> planBytes(std::span<const Movement> movements, PlanUse use) {
@@ -37,6 +43,20 @@ Result<std::vector<std::uint8_t>> planBytes(std::span<const Movement> movements,
         bytes.push_back(*byte);
     }
     return bytes;
+}
+
+Result<SentPlan> sentPlan(bool update, int plan, int slot, std::span<const Movement> movements) {
+    auto bytes = planBytes(movements, PlanUse::Slot);
+    if (!bytes) return fail(bytes.error());
+    wire::Message message;
+    message.kind = update ? wire::MessageKind::Update : wire::MessageKind::Create;
+    message.plan = plan;
+    message.slot = slot;
+    message.movements = std::move(*bytes);
+    const auto encoded = wire::encodeMessage(message);
+    if (!encoded) return fail(encoded.error());
+    const ByteView sent = encoded->view();
+    return SentPlan{{sent.begin(), sent.end()}, wire::zeroBytes(sent)};
 }
 
 std::vector<Movement> movementsOf(std::span<const std::uint8_t> bytes) {

@@ -26,6 +26,15 @@ constexpr int mostMovements(PlanUse use) {
 /// in `detail` what can be written in its place. Any thread.
 Result<std::vector<std::uint8_t>> planBytes(std::span<const Movement> movements, PlanUse use);
 
+/// What Create sends for a plan, or Update, and which of its bytes, counted from 0, are zero: a robot whose
+/// program reads its mailbox as text loses what follows the first of them (protocol 5.3).
+struct SentPlan {
+    std::vector<std::uint8_t> bytes;
+    std::vector<std::size_t> zeros;
+};
+/// Errors: as planBytes(); OutOfRange for another plan or slot. Any thread.
+Result<SentPlan> sentPlan(bool update, int plan, int slot, std::span<const Movement> movements);
+
 /// The movements that bytes mean; those that mean nothing are left out. Any thread.
 std::vector<Movement> movementsOf(std::span<const std::uint8_t> bytes);
 

@@ -87,7 +87,7 @@ void Session::opened(const Result<ByteLinkInfo>& result) {
     model_.forget();
     station_.reset(Errc::Cancelled);
     raise(EventKind::Connected);
-    if (host_.stop.isSet()) sendStop();
+    if (host_.stop.isSet()) sendStop(Errc::StopLatched);
 }
 
 void Session::presence(bool present) {
@@ -100,12 +100,13 @@ void Session::lost() {
     state_ = LinkState::Searching;
     error_ = Error{.code = Errc::Disconnected, .port = port_.port};
     const bool executing = active();
+    const bool starts = model_.trigger().plan != wire::kNoPlan;
     // Its trigger plan starts, or what executes goes on: nothing that is sent reaches it now.
     model_.outOfReach(true);
     station_.reset(Errc::Disconnected);
     answers_ = false;
     raise(EventKind::LinkLost, executing ? 1 : 0);
-    if (executing) host_.stop.set(StopReason::LinkLost);
+    if (executing || starts) host_.stop.set(StopReason::LinkLost);
     raise(EventKind::Waiting);
 }
 
@@ -139,22 +140,32 @@ bool Session::maySend(const wire::Message& message) {
 
 void Session::halt() {
     ++version_;
-    if (state_ == LinkState::Running) sendStop();
+    if (state_ == LinkState::Running) sendStop(Errc::StopLatched);
 }
 
-void Session::sendStop() {
-    stopSentAt_ = host_.scheduler.now();
-    // One that is under way ends here, and must not take the new one for its own.
-    station_.stopNow(stopSentAt_, [this](const Exchange& exchange) {
-        if (!exchange.result() && exchange.result().error().code == Errc::StopLatched) return;
-        stopping_ = false;
-        if (exchange.result())
-            model_.stopped(exchange.wasIdle(), host_.scheduler.now());
-        else
-            raise(EventKind::StopUnconfirmed);
-        if (shutDown_) close();
+void Session::sendStop(Errc why) {
+    // One that is under way ends here, and leaves what is to be told to the new one.
+    station_.stopNow(host_.scheduler.now(), why, [this, number = ++stops_](const Exchange& exchange) {
+        if (number == stops_) stopEnded(exchange);
     });
     stopping_ = !station_.idle();
+}
+
+void Session::stopEnded(const Exchange& exchange) {
+    const TimePoint now = host_.scheduler.now();
+    // One that was sent again finds nothing to stop where the first has worked.
+    const bool nothing = exchange.wasIdle() && exchange.attempts() == 1;
+    stopping_ = false;
+    if (exchange.result()) {
+        stopConfirmedAt_ = now;
+        model_.stopped(nothing, now);
+    } else {
+        raise(EventKind::StopUnconfirmed);
+    }
+    for (const CommandId id : std::exchange(stopAskers_, {}))
+        host_.answer(id, nothing ? Result<void>(fail(refusalError(Errc::PlanRefused, wire::kErrorStopIdle)))
+                                 : exchange.result());
+    if (shutDown_) close();
 }
 
 void Session::heard(const wire::Message& message, bool belonged) {
@@ -192,7 +203,7 @@ void Session::shutdown(std::function<void()> done) {
         return;
     }
     shutdownDeadline_ = host_.scheduler.callAfter(kLastStopLimit, [this] { close(); });
-    if (!stopping_) sendStop();
+    if (!stopping_) sendStop(Errc::Cancelled);
 }
 
 void Session::close() {
@@ -218,7 +229,7 @@ Snapshot Session::snapshot() const {
     snapshot.trigger = model_.trigger();
     snapshot.execution = model_.execution();
     snapshot.request = station_.request();
-    snapshot.stopSentAt = stopSentAt_;
+    snapshot.stopConfirmedAt = stopConfirmedAt_;
     snapshot.outOfReach = model_.isOutOfReach();
     snapshot.traffic = station_.traffic();
     snapshot.connections = connections_;

@@ -69,7 +69,11 @@ class Session {
     void submit(CommandId id, Exchange::Request request);
     void ended(const Exchange& exchange);
     void tellFailure(const Exchange& exchange);
-    void sendStop();
+    /// Forgets what a failed request may have changed.
+    void doubt(const Exchange& exchange);
+    /// Stop goes out at once; what waits ends with `why`.
+    void sendStop(Errc why);
+    void stopEnded(const Exchange& exchange);
 
     void open();
     void opened(const Result<ByteLinkInfo>& result);
@@ -95,8 +99,10 @@ class Session {
     bool startedHere_ = false;  ///< A plan was started or adjusted by this session.
     bool heartbeatFresh_ = false;
     bool ending_ = false;
-    bool stopping_ = false;  ///< A Stop of STOP or of an ending is not answered yet.
-    TimePoint stopSentAt_{};
+    bool stopping_ = false;              ///< A Stop of STOP or of an ending is not answered yet.
+    std::vector<CommandId> stopAskers_;  ///< Who is told how it ends.
+    std::uint64_t stops_ = 0;            ///< Each takes the place of the one before.
+    TimePoint stopConfirmedAt_{};
     std::function<void()> shutDown_;
     TimerId shutdownDeadline_ = 0;
     std::int64_t malformed_ = 0;  ///< Since they were told of.

@@ -10,10 +10,7 @@ using wire::MessageKind;
 namespace {
 
 tl::unexpected<Error> wouldBeRefused(int code) {
-    return fail({.code = Errc::WouldBeRefused,
-                 .subject = wire::errorCode(code).id,
-                 .got = code,
-                 .detail = wire::errorCode(code).text});
+    return fail(refusalError(Errc::WouldBeRefused, code));
 }
 
 wire::Message planMessage(MessageKind kind, int plan, int slot = 0) {
@@ -74,11 +71,16 @@ void Session::perform(CommandId id, const ExecutePlan& command) {
 }
 
 void Session::perform(CommandId id, const StopPlan&) {
-    submit(id, {planMessage(MessageKind::Stop, 0), false, false});
+    if (stopAskers_.size() >= Station::kQueue) {
+        host_.answer(id, fail(Errc::QueueFull));
+        return;
+    }
+    stopAskers_.push_back(id);
+    sendStop(Errc::Cancelled);
 }
 
 void Session::perform(CommandId id, const QuerySlot& command) {
-    submit(id, {planMessage(MessageKind::Query, wire::kDummyPlan, command.slot), false, false});
+    submit(id, {planMessage(MessageKind::Query, wire::kDummyPlan, command.slot)});
 }
 
 void Session::perform(CommandId id, const AdjustSpeed& command) {
@@ -90,16 +92,16 @@ void Session::perform(CommandId id, const AdjustSpeed& command) {
     wire::Message message = planMessage(MessageKind::Adjust, execution.plan, execution.slot);
     message.wheels = command.wheels;
     message.change_percent = command.change_percent;
-    submit(id, {std::move(message), false, false});
+    submit(id, {std::move(message)});
 }
 
 void Session::perform(CommandId id, const SetTrigger& command) {
     const auto message = withMovements(planMessage(MessageKind::Trigger, command.plan), command.movements);
-    message ? submit(id, {*message, false, false}) : host_.answer(id, fail(message.error()));
+    message ? submit(id, {*message}) : host_.answer(id, fail(message.error()));
 }
 
 void Session::perform(CommandId id, const ReadTrigger&) {
-    submit(id, {planMessage(MessageKind::Trigger, wire::kFirstPlan), true, false});
+    submit(id, {planMessage(MessageKind::Trigger, wire::kFirstPlan), true});
 }
 
 void Session::sendToSlot(CommandId id, const wire::Message& message) {
@@ -112,7 +114,7 @@ void Session::sendToSlot(CommandId id, const wire::Message& message) {
         sendKnown(id, message);
         return;
     }
-    Exchange::Request query{planMessage(MessageKind::Query, wire::kDummyPlan, message.slot), false, false};
+    Exchange::Request query{planMessage(MessageKind::Query, wire::kDummyPlan, message.slot)};
     const auto queued = station_.submit(std::move(query), [this, id, message](const Exchange& exchange) {
         if (!exchange.result()) {
             tellFailure(exchange);
@@ -130,7 +132,7 @@ void Session::sendKnown(CommandId id, const wire::Message& message) {
         host_.answer(id, fits);
         return;
     }
-    submit(id, {message, false, false});
+    submit(id, {message});
 }
 
 Result<void> Session::checkSlot(const wire::Message& message) const {
@@ -172,19 +174,18 @@ void Session::ended(const Exchange& exchange) {
     const TimePoint now = host_.scheduler.now();
     const wire::Message& message = exchange.request().message;
     ++version_;
-    if (exchange.answeredPlan()) model_.slotRead(message.slot, *exchange.answeredPlan(), now);
     if (message.kind == MessageKind::Execute) model_.executeEnded(exchange.result(), now);
     if (!exchange.result()) {
+        doubt(exchange);
+        if (exchange.answeredPlan()) model_.slotRead(message.slot, *exchange.answeredPlan(), now);
         tellFailure(exchange);
         return;
     }
+    if (exchange.answeredPlan()) model_.slotRead(message.slot, *exchange.answeredPlan(), now);
     switch (message.kind) {
         case MessageKind::Create:
         case MessageKind::Update:
             model_.planPut(message, now);
-            break;
-        case MessageKind::Stop:
-            model_.stopped(exchange.wasIdle(), now);
             break;
         case MessageKind::Adjust:
             raise(EventKind::Adjusted, static_cast<std::int64_t>(message.wheels), message.change_percent);
@@ -200,16 +201,33 @@ void Session::ended(const Exchange& exchange) {
     }
 }
 
+void Session::doubt(const Exchange& exchange) {
+    const wire::Message& message = exchange.request().message;
+    if (exchange.attempts() == 0) return;
+    switch (message.kind) {
+        case MessageKind::Create:
+        case MessageKind::Update:
+            model_.slotUnknown(message.slot);
+            break;
+        case MessageKind::Execute:
+            // A refusal says that something else is there than was thought.
+            if (exchange.result().error().code == Errc::PlanRefused) model_.slotUnknown(message.slot);
+            break;
+        case MessageKind::Trigger:
+            if (exchange.request().readsTrigger) break;
+            model_.triggerUnknown(message.plan);
+            if (exchange.hasTriggerContent())
+                model_.triggerRead(exchange.triggerContent().view(), host_.scheduler.now());
+            break;
+        default:
+            break;
+    }
+}
+
 void Session::tellFailure(const Exchange& exchange) {
     const Error& error = exchange.result().error();
     const auto kind = static_cast<std::int64_t>(exchange.request().message.kind);
-    if (error.code == Errc::PlanRefused) {
-        raise(EventKind::Refused, error.got.value_or(-1));
-        // What was thought to be in the slot is wrong.
-        if (exchange.request().message.kind != MessageKind::Adjust &&
-            exchange.request().message.kind != MessageKind::Stop)
-            model_.slotUnknown(exchange.request().message.slot);
-    }
+    if (error.code == Errc::PlanRefused) raise(EventKind::Refused, error.got.value_or(-1));
     if (error.code == Errc::EchoDiffers) raise(EventKind::Differs, kind, 0, error.detail);
     if (error.code == Errc::Unconfirmed) raise(EventKind::Unconfirmed, kind);
 }

@@ -27,7 +27,7 @@ struct SlotState {
 /// What is known of the trigger plan: the one that starts when the connection is lost.
 struct TriggerState {
     bool known = false;
-    int plan = wire::kNoPlan;
+    int plan = wire::kNoPlan;  ///< Not known and yet a plan: that one was sent, and may be there.
     TimePoint at{};
     std::vector<std::uint8_t> movements{};
 };
@@ -85,7 +85,7 @@ struct Snapshot {
     TriggerState trigger;
     Execution execution;
     std::optional<RequestState> request;
-    TimePoint stopSentAt{};  ///< When Stop last went out for a STOP or an ending; zero for never.
+    TimePoint stopConfirmedAt{};  ///< When the robot last confirmed a Stop; zero for never.
     /// The connection is gone, and the robot may be moving where no STOP reaches it.
     bool outOfReach = false;
     TrafficCounters traffic;

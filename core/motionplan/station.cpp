@@ -19,6 +19,11 @@ void Station::reset(Errc why) {
     missed_ = 0;
     sent_.clear();
     nextRead_ = {};
+    drained_ = false;
+    endAll(why);
+}
+
+void Station::endAll(Errc why) {
     std::deque<Waiting> queue = std::exchange(queue_, {});
     if (current_) {
         current_->abort(why);
@@ -37,20 +42,12 @@ Result<void> Station::submit(Exchange::Request request, Done done) {
     return {};
 }
 
-void Station::stopNow(TimePoint now, Done done) {
-    std::deque<Waiting> queue = std::exchange(queue_, {});
-    if (current_) {
-        current_->abort(Errc::StopLatched);
-        endCurrent();
-    }
-    for (Waiting& waiting : queue) {
-        Exchange never(std::move(waiting.request), now, [](ByteView) { return false; });
-        never.abort(Errc::StopLatched);
-        waiting.done(never);
-    }
+void Station::stopNow(TimePoint now, Errc why, Done done) {
+    endAll(why);
     Exchange::Request stop;
     stop.message.kind = wire::MessageKind::Stop;
     stop.urgent = true;
+    stop.leftovers = !drained_;
     begin({std::move(stop), std::move(done)}, now);
     pump(now);
 }
@@ -167,6 +164,7 @@ void Station::take(const wire::ReadReply& reply, TimePoint now) {
         if (triggerBox) {
             if (current_) current_->triggerRead(message);
         } else if (empty) {
+            drained_ = true;
             if (current_) current_->emptied(now);
         } else {
             // There may be more: it is a queue.

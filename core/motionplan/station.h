@@ -43,10 +43,10 @@ class Station {
 
     /// The line has been opened, or is gone: what waits ends with `why`, and nothing is left of before.
     void reset(Errc why);
-    /// Queues a request. QueueFull is told by `done` too, on an exchange that never began.
+    /// Queues a request. QueueFull, and `done` never comes.
     Result<void> submit(Exchange::Request request, Done done);
-    /// Everything that waits ends with StopLatched, and Stop goes out before this returns.
-    void stopNow(TimePoint now, Done done);
+    /// Everything that waits ends with `why`, and Stop goes out before this returns.
+    void stopNow(TimePoint now, Errc why, Done done);
     /// Bytes from the robot.
     void received(ByteView bytes, TimePoint now);
     /// To be called every 10 ms or so while the line is open. `busy`: a status is expected.
@@ -69,6 +69,7 @@ class Station {
     void pump(TimePoint now);
     void writeMessage(const wire::Message& message);
     void endCurrent();
+    void endAll(Errc why);
     void read(TimePoint now);
     bool isLate(ByteView bytes) const;
 
@@ -84,6 +85,7 @@ class Station {
     TimePoint nextRead_{};
     bool busy_ = false;
     int missed_ = 0;
+    bool drained_ = false;  ///< The command outbox was empty once: what it holds is of this connection.
     TrafficCounters counters_;
 };
 

@@ -1196,6 +1196,54 @@
         <source>robot %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is a serial port %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This user may open the serial port %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other program holds the serial port %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port is open, and no NXT answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the NXT on, and check that this port is the one of its Bluetooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No board answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug one in; one that starts takes some seconds. If it stays so, its firmware speaks another protocol.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The NXT answers, and a program runs on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A radio module in API mode answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boards that answer: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -1812,10 +1860,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing came back that says whether it arrived[ ({subject})], and it is not sent again unasked.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Look at the robot: if it does not do it, ask again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1877,6 +1921,46 @@
     </message>
     <message>
         <source>Read it again, and set what is still wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{subject} is out of range: {detail}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a value within its range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Execute a plan first, and adjust it before it ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing needs to be stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its program takes updates only while a plan executes: execute one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing came back that says whether it arrived ({subject}), and it is not sent again unasked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has not confirmed that it stands, though it was told several times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the robot: if it moves, stop it by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing came back that says whether it arrived[ ({subject})], though it was sent several times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask what is there now, then send it again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2108,6 +2192,10 @@
     </message>
     <message>
         <source>session closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3137,6 +3225,57 @@
     </message>
 </context>
 <context>
+    <name>LiveWarning</name>
+    <message>
+        <source>Everything has been braked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before anybody touches a robot: stay, re-arm, arm its high voltage and choose Discharge in the Drive panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot that is not heard cannot be discharged from here: switch it on again and bring it near, or treat it as live and measure before touching it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot that starts a plan when its connection ends moves as soon as you leave: keep clear of it, or switch it off first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot out of reach cannot be stopped from here: keep clear of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 s ago: keep clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 s ago: treat as live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live capacitors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots that move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Capacitors are still charged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot will move, or does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MotionplanView</name>
     <message>
         <source>Motion plans</source>
@@ -3284,6 +3423,10 @@
     </message>
     <message>
         <source>NXT %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot may start trigger plan %1 when the connection ends</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3930,6 +4073,13 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>trigger %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PortOffers</name>
+    <message>
+        <source>%1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4942,22 +5092,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>autokick</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nothing says where the serial port is to be.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add --pty PATH.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>empty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>plan %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>kickstand-sim</name>
@@ -5476,6 +5610,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>&amp;Disconnect</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Serial ports</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::ConversationView</name>
@@ -5860,10 +5998,6 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>robot %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5979,6 +6113,10 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Nothing that happened passes the filter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7083,10 +7221,6 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They are discharged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Copy command</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7124,6 +7258,14 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Leave them live and quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are safe now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LEFT MOVING OR LIVE</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7611,6 +7753,18 @@ microcontroller %3, flash %4</source>
         <source>robot.plan</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Before the steps Create sends 00, the plan&apos;s ID and the slot&apos;s number. Its 00 is a zero byte, and so is slot 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot whose program reads its mailbox as text loses what follows a zero byte.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no movement; the plan here stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::PlanPath</name>
@@ -7804,6 +7958,18 @@ microcontroller %3, flash %4</source>
         <source>Trigger plan: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: %1; zero bytes, counted from 0: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan %1, not confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::PlanStepRow</name>
@@ -7865,6 +8031,10 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>No code for this, and no sum is the same. Nearest: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No plan is long enough for this: at most %1 movements fit.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8114,6 +8284,14 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>Connect to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to %1 as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A serial port does not say what is at its other end: choose it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9314,10 +9492,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It says how to reach them, and goes on until Ctrl+C, SIGTERM or SIGHUP.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>an XBee adapter and no TOWRP</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9343,6 +9517,22 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>From this one&apos;s other half:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program serves a serial port at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End that one, or choose another path with --pty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing says where the serial port is to be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add --pty PATH.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9486,10 +9676,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>Says why it does not work: device, permission, radios, e-stop, robots; with remedies.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Opening a link brakes its robots. Exit 1 when something is wrong.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10826,6 +11012,38 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening a link to thunderbots brakes them; closing one to an NXT starts its trigger plan, as ever. Exit 1 when something is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the robot stands, as it says itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: everything was told to stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closing the connection starts its trigger plan %1: it drives off now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closing the connection may start its trigger plan %1: it may drive off now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it has a trigger plan, which closing the connection starts, is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -77,7 +77,62 @@ TEST(ProgramMotionplan, StatusAndStop) {
     EXPECT_EQ(plan({"status"}).object()[QStringLiteral("execution")][QStringLiteral("state")],
               QStringLiteral("idle"));
     EXPECT_TRUE(plan({"stop"}).object()[QStringLiteral("stopped")].toBool());
-    EXPECT_EQ(run({"--link", kNxt, "stop"}).exitCode, 0);
+    const Ended all = run({"--link", kNxt, "stop"});
+    EXPECT_EQ(all.exitCode, 0) << all.err;
+    EXPECT_NE(all.out.find("the robot stands, as it says itself"), std::string::npos) << all.out;
+    EXPECT_EQ(all.out.find("dribblers"), std::string::npos) << all.out;
+}
+
+TEST(ProgramMotionplan, AStopThatIsNotConfirmedIsNotSaidToBe) {
+    const Ended ended = plan({"stop"}, kNxt + "?loss=1");
+    EXPECT_EQ(ended.exitCode, 1);
+    EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+    EXPECT_NE(ended.err.find("has not confirmed that it stands"), std::string::npos) << ended.err;
+    EXPECT_FALSE(ended.object()[QStringLiteral("stopped")].toBool(true));
+    EXPECT_EQ(run({"--link", kNxt + "?loss=1", "stop"}).exitCode, 1);
+}
+
+TEST(ProgramMotionplan, LettingGoOfARobotWithATriggerPlanIsSaidToStartIt) {
+    const QString closing = QStringLiteral("starts_when_closed");
+    EXPECT_EQ(plan({"trigger", "--plan", "7", "back 50"}).object()[closing], 7);
+    const Ended text = run({"--link", kNxt, "motionplan", "trigger", "--plan", "7", "back 50"});
+    EXPECT_NE(text.out.find("Closing the connection starts its trigger plan 7"), std::string::npos)
+        << text.out;
+    for (const Ended& ended :
+         {plan({"status"}), plan({"stop"}), plan({"create", "--slot", "1", "--plan", "3", "forward 5"})}) {
+        EXPECT_TRUE(ended.object().contains(closing)) << ended.out;
+        EXPECT_TRUE(ended.object()[closing].isNull());
+    }
+}
+
+TEST(ProgramMotionplan, TheDoctorLooksAtWhatAnNxtHas) {
+    const auto doctor = [](const std::string& link) { return run({"--link", link, "--json", "doctor"}); };
+    const auto stateOf = [](const Ended& ended, const char* check) {
+        for (const QJsonValue line : ended.object()[QStringLiteral("checks")].toArray()) {
+            if (line[QStringLiteral("check")].toString() == QLatin1String(check))
+                return line[QStringLiteral("state")].toString().toStdString();
+        }
+        return std::string("no line");
+    };
+    const Ended well = doctor(kNxt);
+    EXPECT_EQ(well.exitCode, 0) << well.err;
+    EXPECT_EQ(stateOf(well, "link"), "ok");
+    EXPECT_EQ(stateOf(well, "answers"), "ok");
+    EXPECT_EQ(stateOf(well, "radios"), "no line");
+    const Ended missing = doctor("serial:/nowhere/nxt?protocol=motionplan");
+    EXPECT_EQ(missing.exitCode, 1);
+    EXPECT_TRUE(missing.oneComplaint()) << missing.err;
+    EXPECT_EQ(stateOf(missing, "device"), "problem");
+    EXPECT_EQ(stateOf(missing, "answers"), "not-checked");
+    const Ended silent = doctor(kNxt + "?reply-loss=1");
+    EXPECT_EQ(silent.exitCode, 1);
+    EXPECT_EQ(stateOf(silent, "answers"), "problem");
+    for (const char* link : {"sim:coach", "sim:smartdevice?devices=PolarBear&boot_ms=50"}) {
+        const Ended other = doctor(link);
+        EXPECT_EQ(other.exitCode, 0) << link << other.err;
+        EXPECT_EQ(stateOf(other, "answers"), "ok") << link;
+        EXPECT_EQ(stateOf(other, "e-stop"), "no line") << link;
+    }
 }
 
 TEST(ProgramMotionplan, PlansComeFromFiles) {
@@ -117,6 +172,9 @@ TEST(ProgramMotionplan, BadInputIsExitTwoWithOneLine) {
         EXPECT_TRUE(ended.oneComplaint()) << ended.err;
         EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
     }
+    const Ended pace = plan({"status"}, kNxt + "?pace=0");
+    EXPECT_EQ(pace.exitCode, 2);
+    EXPECT_NE(pace.err.find("0.1 to 100"), std::string::npos) << pace.err;
     std::string tooLong;
     for (int i = 0; i < 56; ++i)
         tooLong += "forward 1,";

@@ -107,6 +107,64 @@ TEST(PlanFaults, ATriggerPlanIsSentAgain) {
     EXPECT_EQ(result.error().detail, "sent 08 06 0c 9e, got 08 07 0c 9e");
 }
 
+TEST(PlanFaults, ATriggerPlanThatWasNotConfirmedIsTakenToBeThere) {
+    Ready rig;
+    rig.simulate("reply-loss", 1);
+    EXPECT_EQ(rig.refusal(SetTrigger{7, PlanRig::kShort}), Errc::Unconfirmed);
+    EXPECT_FALSE(rig.state().trigger.known);
+    EXPECT_EQ(rig.state().trigger.plan, 7);
+    // What its outbox says instead is believed.
+    rig.simulate("reply-loss", 0);
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kShort}));
+    rig.simulate("lose-next", 3);
+    EXPECT_EQ(rig.refusal(SetTrigger{6, PlanRig::kShort}), Errc::EchoDiffers);
+    EXPECT_TRUE(rig.state().trigger.known);
+    EXPECT_EQ(rig.state().trigger.plan, 7);
+}
+
+TEST(PlanFaults, ATriggerPlanIsReadAgainWhereNoAnswerComes) {
+    Ready rig;
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kShort}));
+    rig.simulate("reply-loss", 1);
+    const CommandId id = rig.give(ReadTrigger{});
+    rig.advance(1500ms);
+    rig.simulate("reply-loss", 0);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(id).has_value(); }));
+    EXPECT_TRUE(*rig.answer(id));
+    rig.simulate("reply-loss", 1);
+    EXPECT_EQ(rig.refusal(ReadTrigger{}), Errc::TimedOut);
+}
+
+TEST(PlanFaults, ATriggerPlanThatTheRobotHasCutIsNotConfirmed) {
+    Ready rig;
+    rig.simulate("text", 1);
+    const auto result = rig.ask(SetTrigger{7, {{Wheels::BothForward, 1000}}});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Errc::EchoDiffers);
+    EXPECT_EQ(result.error().detail, "sent 08 07 00, got 08 07");
+    // And what lies there is not said to be nothing.
+    const auto read = rig.ask(ReadTrigger{});
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, Errc::Malformed);
+    EXPECT_FALSE(rig.state().trigger.known);
+}
+
+TEST(PlanFaults, AnUpdateThatTheRobotHasCutIsNotConfirmed) {
+    Ready rig;
+    rig.simulate("text", 1);
+    EXPECT_EQ(rig.refusal(UpdatePlan{9, 4, {{Wheels::BothForward, 1000}}}), Errc::EchoDiffers);
+    EXPECT_FALSE(rig.state().slotStates[4].known);
+}
+
+TEST(PlanFaults, WhatAStopHasOvertakenIsNotKnownAnyMore) {
+    Ready rig;
+    const CommandId id = rig.give(CreatePlan{8, 3, PlanRig::kShort});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.writtenOf(MessageKind::Create) == 1; }));
+    rig.stop();
+    EXPECT_EQ(rig.answer(id)->error().code, Errc::StopLatched);
+    EXPECT_FALSE(rig.state().slotStates[3].known);
+}
+
 TEST(PlanFaults, AStopIsSentAgainAndAnErrorForTheSecondOneMeansThatTheFirstHasWorked) {
     Ready rig(PlanRig::kLong);
     ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));

@@ -1,4 +1,6 @@
 // What the robot refuses, what is kept from it because it would, and what STOP does.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/motionplan/wire/nxt_status.h"
@@ -210,6 +212,67 @@ TEST(PlanStop, DropsWhatWaitsAndStaysUntilRearmed) {
     EXPECT_EQ(rig.refusal(ExecutePlan{9, 4}), std::nullopt);
 }
 
+TEST(PlanStop, SaysWhenTheRobotHasConfirmedItAndNotBefore) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    const TimePoint asked = rig.scheduler().now();
+    rig.simulate("lose-next", 100);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::StopUnconfirmed) == 1; }, 20s));
+    EXPECT_LT(rig.state().stopConfirmedAt, asked);
+    rig.simulate("lose-next", 0);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().stopConfirmedAt >= asked; }, 5s));
+}
+
+TEST(PlanStop, ThePersonsOwnGoesBeforeWhatWaits) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.forgetWritten();
+    const CommandId before = rig.give(QuerySlot{1});
+    const CommandId behind = rig.give(QuerySlot{2});
+    const CommandId stop = rig.give(StopPlan{});
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"01"}));
+    EXPECT_EQ(rig.answer(before)->error().code, Errc::Cancelled);
+    EXPECT_EQ(rig.answer(behind)->error().code, Errc::Cancelled);
+    // Pressed again before the first is confirmed, it is sent again, and both are answered.
+    const CommandId again = rig.give(StopPlan{});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(again).has_value(); }));
+    EXPECT_EQ(rig.answers(stop), 1U);
+    EXPECT_FALSE(rig.robot().motion());
+    EXPECT_FALSE(rig.session().active());
+    EXPECT_EQ(rig.refusal(QuerySlot{1}), std::nullopt);
+}
+
+TEST(PlanStop, ThatTheLinkDoesNotOutliveIsAnsweredOnce) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    const CommandId id = rig.give(StopPlan{});
+    rig.simulate("plugged", 0);
+    rig.advance(1s);
+    ASSERT_TRUE(rig.answer(id));
+    EXPECT_EQ(rig.answer(id)->error().code, Errc::Disconnected);
+    rig.simulate("plugged", 1);
+    rig.advance(10s);
+    EXPECT_EQ(rig.answers(id), 1U);
+}
+
+TEST(PlanStop, IsNotConfirmedByCopiesOfAnEarlierOne) {
+    PlanRig rig;
+    const ByteView stopBytes = wire::encodeMessage({.kind = MessageKind::Stop})->view();
+    rig.sim().program().command(stopBytes, rig.scheduler().now());
+    rig.session().start();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().link == LinkState::Running; }));
+    rig.simulate("lose-next", 1);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 10s));
+    // The copy of before was read after the first, lost one; another was sent to be sure.
+    EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 2U);
+}
+
 TEST(PlanStop, IsSentAgainUntilTheRobotHasConfirmedIt) {
     PlanRig rig;
     ASSERT_TRUE(rig.connect());
@@ -220,6 +283,20 @@ TEST(PlanStop, IsSentAgainUntilTheRobotHasConfirmedIt) {
     ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 5s));
     EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 3U);
     EXPECT_FALSE(rig.robot().motion());
+}
+
+TEST(PlanStop, ThatHasWorkedIsNotSaidToHaveFoundNothing) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.advance(500ms);
+    // The copy and the status of the first are lost: the second finds nothing that executes.
+    rig.simulate("lose-next-out", 2);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 10s));
+    const auto stopped = std::ranges::find(rig.events(), EventKind::Stopped, &Event::kind);
+    EXPECT_EQ(stopped->code, 0);
 }
 
 TEST(PlanStop, ThatIsNeverConfirmedIsSaidAloud) {

@@ -135,6 +135,27 @@ TEST(Plan, ALostConnectionStartsTheTriggerPlanAndIsSaidToBeOutOfReach) {
     EXPECT_EQ(rig.latch().reason(), StopReason::LinkLost);
 }
 
+TEST(Plan, ALostConnectionStopsEverythingWhereATriggerPlanIsKnownToStart) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kLong}));
+    rig.simulate("plugged", 0);
+    rig.advance(100ms);
+    ASSERT_TRUE(rig.robot().motion());
+    EXPECT_EQ(rig.latch().reason(), StopReason::LinkLost);
+    rig.simulate("plugged", 1);
+    ASSERT_TRUE(rig.waitUntil([&] { return !rig.robot().motion(); }));
+}
+
+TEST(Plan, ALostConnectionWithNothingToStartStopsNothing) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.ask(ReadTrigger{}));
+    rig.simulate("plugged", 0);
+    rig.advance(100ms);
+    EXPECT_EQ(rig.latch().reason(), StopReason::None);
+}
+
 TEST(Plan, AfterALossTheLineIsOpenedAgainAndAStopThatIsLatchedGoesOut) {
     PlanRig rig;
     ASSERT_TRUE(rig.connect());
@@ -154,7 +175,9 @@ TEST(Plan, AfterALossTheLineIsOpenedAgainAndAStopThatIsLatchedGoesOut) {
 TEST(Plan, APlanThatExecutesAlreadyIsHeardOfAndLeftAlone) {
     PlanRig rig;
     ASSERT_TRUE(rig.connect());
-    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kLong}));
+    // Another hand has set it: nothing here knows of it.
+    rig.sim().program().triggerPlan(
+        wire::encodeMessage({.kind = MessageKind::Trigger, .plan = 7, .movements = {0x1E, 0x1E}})->view());
     rig.simulate("plugged", 0);
     rig.advance(1s);
     rig.simulate("plugged", 1);

@@ -104,7 +104,7 @@ class RadioLinks final : public LinkProvider {
         provided.keepAlive = std::move(sim);
         return provided;
     }
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         scheduler.post([found = std::move(found)] { found({}); });
     }
 

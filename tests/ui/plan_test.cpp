@@ -4,12 +4,17 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <mutex>
 #include <set>
 
@@ -23,6 +28,7 @@
 #include "ui/motionplan/motionplan_view.h"
 #include "ui/motionplan/plan_path.h"
 #include "ui/shell/bench.h"
+#include "ui/shell/connector.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/panel_dock.h"
 #include "ui/shell/theme.h"
@@ -67,9 +73,24 @@ class Written final : public ByteTapObserver {
     std::vector<std::string> messages_;
 };
 
+/// The serial ports there are.
+struct Ports {
+    std::mutex mutex;
+    std::vector<BytePort> now;
+
+    void set(std::vector<BytePort> ports) {
+        const std::lock_guard lock(mutex);
+        now = std::move(ports);
+    }
+    std::vector<BytePort> get() {
+        const std::lock_guard lock(mutex);
+        return now;
+    }
+};
+
 class NxtLinks final : public LinkProvider {
   public:
-    explicit NxtLinks(Written& written) : written_(written) {}
+    NxtLinks(Written& written, Ports& ports) : written_(written), ports_(ports) {}
 
     Result<ProvidedUsbLink> makeUsbLink(const LinkUri& uri, Scheduler&) override {
         return fail(Errc::Unsupported, toString(uri));
@@ -85,12 +106,13 @@ class NxtLinks final : public LinkProvider {
         provided.keepAlive = std::move(sim);
         return provided;
     }
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
-        scheduler.post([found = std::move(found)] { found({}); });
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
+        scheduler.post([this, found = std::move(found)] { found({{}, ports_.get()}); });
     }
 
   private:
     Written& written_;
+    Ports& ports_;
 };
 
 class PlanWindow : public testing::Test {
@@ -98,7 +120,7 @@ class PlanWindow : public testing::Test {
     void SetUp() override {
         EngineOptions options;
         options.heartbeatLimit = std::chrono::seconds(10);
-        engine_ = std::make_unique<Engine>(std::make_unique<NxtLinks>(written), options);
+        engine_ = std::make_unique<Engine>(std::make_unique<NxtLinks>(written, ports), options);
         client = std::make_unique<ui::EngineClient>(*engine_);
         systems_.add(std::make_unique<ui::ThunderbotsView>(ledger_));
         systems_.add(std::make_unique<ui::MotionplanView>());
@@ -136,9 +158,23 @@ class PlanWindow : public testing::Test {
     }
     QString step(int row) { return find<QListWidget>("planSteps")->item(row)->text(); }
     int steps() { return find<QListWidget>("planSteps")->count(); }
+    void acceptFile(const char* name, const QString& path) {
+        auto* dialog = find<QFileDialog>(name);
+        EXPECT_TRUE(dialog->testOption(QFileDialog::DontUseNativeDialog))
+            << "STOP keys have to reach the program";
+        dialog->selectFile(path);
+        QMetaObject::invokeMethod(dialog, "accept");
+        ASSERT_TRUE(waitFor([&] { return window->findChild<QFileDialog*>(QLatin1String(name)) == nullptr; }));
+    }
+    static QByteArray contentOf(const QString& path) {
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll();
+    }
     QString text(const char* label) { return find<QLabel>(label)->text(); }
 
     Written written;
+    Ports ports;
     std::unique_ptr<ui::EngineClient> client;
     std::unique_ptr<ui::Bench> bench;
     std::unique_ptr<ui::MainWindow> window;
@@ -196,6 +232,84 @@ TEST_F(PlanWindow, StepsAreDraggedIntoAnotherOrder) {
     EXPECT_EQ(step(0), QStringLiteral("1   forward 25 cm   0d"));
 }
 
+TEST_F(PlanWindow, NoStepCanBeDroppedOntoAnother) {
+    add("Forward", 25);
+    add("Turn right", 84);
+    const auto* list = find<QListWidget>("planSteps");
+    for (int row = 0; row < list->count(); ++row) {
+        EXPECT_FALSE(list->item(row)->flags().testFlag(Qt::ItemIsDropEnabled)) << row;
+        EXPECT_TRUE(list->item(row)->flags().testFlag(Qt::ItemIsDragEnabled)) << row;
+    }
+}
+
+TEST_F(PlanWindow, APlanIsSavedAndOpenedAgain) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("square.plan"));
+    add("Forward", 25);
+    add("Turn left back", 84);
+    click("planSave");
+    acceptFile("saveDialog", path);
+    ASSERT_TRUE(waitFor([&path] { return QFile::exists(path); }));
+    EXPECT_EQ(contentOf(path), QByteArray("forward 25\nturn left back 84\n"));
+    click("planRemove");
+    click("planRemove");
+    ASSERT_EQ(steps(), 0);
+    click("planOpen");
+    acceptFile("openFilesDialog", path);
+    ASSERT_TRUE(waitFor([this] { return steps() == 2; }));
+    EXPECT_EQ(step(1), QStringLiteral("2   turn left back 84\u00b0   7c"));
+    click("planUndo");
+    EXPECT_EQ(steps(), 0);
+}
+
+TEST_F(PlanWindow, AFileThatIsNoPlanLeavesTheEditorAsItIs) {
+    const QTemporaryDir folder;
+    add("Forward", 25);
+    const std::pair<QByteArray, const char*> files[] = {
+        {"", "holds no movement"},
+        {"# only a comment\n\n", "holds no movement"},
+        {QByteArray("\x7f"
+                    "ELF\x02\x01\0",
+                    7),
+         "is not a plan"},
+        {"forward 25\njump 3\n", "is not a plan"},
+    };
+    int number = 0;
+    for (const auto& [content, said] : files) {
+        const QString path = folder.filePath(QStringLiteral("%1.txt").arg(++number));
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        file.close();
+        click("planOpen");
+        acceptFile("openFilesDialog", path);
+        const QString expected = QStringLiteral("%1.txt %2").arg(number).arg(QLatin1String(said));
+        EXPECT_TRUE(waitFor([&] { return text("planNotice").contains(expected); }))
+            << text("planNotice").toStdString();
+        EXPECT_EQ(steps(), 1);
+    }
+}
+
+TEST_F(PlanWindow, APlanThatIsTooLongIsNotSentAndSaidToBe) {
+    add("Forward", 1);
+    const auto enabled = [this](const char* name) { return find<QAbstractButton>(name)->isEnabled(); };
+    for (int count = 1; count < motionplan::wire::kMostMovements; ++count)
+        click("planDuplicate");
+    EXPECT_TRUE(text("planLength").contains(QStringLiteral("55 of 55")));
+    EXPECT_TRUE(enabled("planSend0"));
+    click("planDuplicate");
+    EXPECT_FALSE(enabled("planSend0"));
+    EXPECT_TRUE(text("planNotice").contains(QStringLiteral("56"))) << text("planNotice").toStdString();
+    // A trigger plan has no slot in its header, and room for one more.
+    EXPECT_TRUE(enabled("planSetTrigger"));
+    click("planDuplicate");
+    EXPECT_FALSE(enabled("planSetTrigger"));
+    click("planUndo");
+    click("planUndo");
+    EXPECT_TRUE(enabled("planSend0"));
+    EXPECT_TRUE(text("planNotice").isEmpty());
+}
+
 TEST_F(PlanWindow, WhatHasNoCodeIsAddedAsItsExactSum) {
     find<QSpinBox>("planAmount")->setValue(38);
     EXPECT_TRUE(text("planOffer").contains(QStringLiteral("forward 35 cm + forward 3 cm")));
@@ -206,6 +320,9 @@ TEST_F(PlanWindow, WhatHasNoCodeIsAddedAsItsExactSum) {
     find<QSpinBox>("planAmount")->setValue(85);
     EXPECT_FALSE(find<QAbstractButton>("planAdd")->isEnabled());
     EXPECT_TRUE(text("planOffer").contains(QStringLiteral("turn left 84 or turn left 87")));
+    find<QSpinBox>("planAmount")->setValue(5000);
+    EXPECT_FALSE(find<QAbstractButton>("planAdd")->isEnabled());
+    EXPECT_TRUE(text("planOffer").contains(QStringLiteral("No plan is long enough")));
 }
 
 TEST_F(PlanWindow, AZeroByteIsMarkedAndSplit) {
@@ -216,6 +333,29 @@ TEST_F(PlanWindow, AZeroByteIsMarkedAndSplit) {
     EXPECT_EQ(step(0), QStringLiteral("1   forward 900 cm   1f"));
     EXPECT_EQ(step(1), QStringLiteral("2   forward 100 cm   17"));
     EXPECT_TRUE(text("planNotice").isEmpty());
+    // Those that no other plan avoids are marked too.
+    EXPECT_TRUE(text("planHeader").contains(QStringLiteral("zero byte")));
+    EXPECT_TRUE(find<QAbstractButton>("planSend0")
+                    ->toolTip()
+                    .contains(QStringLiteral("00 01 00 1f 17; zero bytes, counted from 0: 0, 2")));
+    EXPECT_TRUE(find<QAbstractButton>("planSend3")
+                    ->toolTip()
+                    .contains(QStringLiteral("00 01 03 1f 17; zero bytes, counted from 0: 0")));
+}
+
+TEST_F(PlanWindow, StopGoesBeforeWhatWaitsAndToARobotThatIsSilent) {
+    click("planQuery");
+    click("planStop");
+    ASSERT_TRUE(waitFor([this] { return !client->hasPending(); }));
+    EXPECT_EQ(std::ranges::count(written.messages(), "05 ff 04"), 0);
+    const auto stops = [this] { return std::ranges::count(written.messages(), "01"); };
+    EXPECT_GE(stops(), 1);
+    bench->submit(SimPerform{"reply-loss", -1, 1});
+    ASSERT_TRUE(waitFor([this] { return !state()->answers; }));
+    ASSERT_TRUE(waitFor([this] { return !find<QAbstractButton>("planQuery")->isEnabled(); }));
+    const auto before = stops();
+    click("planStop");
+    ASSERT_TRUE(waitFor([&] { return stops() > before; }));
 }
 
 TEST_F(PlanWindow, APlanGoesToTheRobotRunsLitAndIsStopped) {
@@ -274,6 +414,45 @@ TEST_F(PlanWindow, ARobotOutOfReachIsSaidToBeSo) {
                 "it goes on with its plan or starts its trigger plan, and STOP cannot reach it"));
     }));
     EXPECT_FALSE(find<QAbstractButton>("planStop")->isEnabled());
+}
+
+/// The actions of a menu by their texts, once it has been filled.
+QStringList textsOf(QMenu* menu) {
+    QStringList texts;
+    for (const QAction* action : menu->actions())
+        texts << action->text();
+    return texts;
+}
+
+TEST_F(PlanWindow, SerialPortsAreOfferedAsTheyComeAndGo) {
+    const auto lookAgain = [this] { window->connector().lookAgain(); };
+    const auto button = [this] { return window->findChild<QAbstractButton*>(QStringLiteral("startPort")); };
+    client->submit(bench->sessionId(), Disconnect{});
+    ASSERT_TRUE(waitFor([this] { return bench->session() == nullptr; }));
+    EXPECT_EQ(button(), nullptr);
+    BytePort port;
+    port.name = "/dev/rfcomm0";
+    port.description = "NXT";
+    ports.set({port});
+    lookAgain();
+    ASSERT_TRUE(waitFor([&] { return button() != nullptr; }));
+    EXPECT_EQ(button()->text(), QStringLiteral("Connect to rfcomm0 \u00b7 NXT as"));
+    // Of the systems on serial ports those that the window shows.
+    auto* systems = qobject_cast<QPushButton*>(button())->menu();
+    EXPECT_EQ(textsOf(systems), QStringList{QStringLiteral("Motion plans")});
+    QMenu* menu = window->connector().menu();
+    emit menu->aboutToShow();
+    EXPECT_TRUE(textsOf(menu).contains(QStringLiteral("rfcomm0 \u00b7 NXT")));
+    systems->actions().constFirst()->trigger();
+    ASSERT_TRUE(waitFor([this] { return bench->session() != nullptr; }));
+    EXPECT_EQ(toString(bench->session()->uri), "serial:/dev/rfcomm0?protocol=motionplan");
+    client->submit(bench->sessionId(), Disconnect{});
+    ASSERT_TRUE(waitFor([this] { return bench->session() == nullptr; }));
+    ports.set({});
+    lookAgain();
+    ASSERT_TRUE(waitFor([&] { return button() == nullptr; }));
+    emit menu->aboutToShow();
+    EXPECT_FALSE(textsOf(menu).contains(QStringLiteral("rfcomm0 \u00b7 NXT")));
 }
 
 TEST_F(PlanWindow, EveryControlHasANameOfItsOwn) {

@@ -121,11 +121,13 @@ QStringList MotionplanView::facts(const SessionSnapshot& session) const {
 std::vector<Hazard> MotionplanView::hazards(const SystemSnapshot& system) const {
     const auto& snapshot = std::get<Snapshot>(system);
     std::vector<Hazard> hazards;
-    if (snapshot.outOfReach) hazards.push_back({outOfReachText(), snapshot.time, true});
+    if (snapshot.outOfReach) hazards.push_back({outOfReachText(), snapshot.time, true, true});
     if (snapshot.link == LinkState::Running && snapshot.trigger.plan != motionplan::wire::kNoPlan)
-        hazards.push_back({Words::tr("the robot starts its trigger plan %1 when the connection ends")
+        hazards.push_back({(snapshot.trigger.known
+                                ? Words::tr("the robot starts its trigger plan %1 when the connection ends")
+                                : Words::tr("the robot may start trigger plan %1 when the connection ends"))
                                .arg(snapshot.trigger.plan),
-                           snapshot.trigger.at, false});
+                           snapshot.trigger.at, false, true});
     return hazards;
 }
 

@@ -75,6 +75,7 @@ PlanPanel::PlanPanel(Bench& bench, PlanDocument& document, QWidget* parent)
       steps_(new QListWidget(this)),
       row_(new PlanStepRow(this)),
       path_(new PlanPath(this)),
+      header_(line("planHeader", this)),
       length_(line("planLength", this)),
       notice_(line("planNotice", this)),
       track_(new QSpinBox(this)),
@@ -105,6 +106,12 @@ void PlanPanel::build() {
     steps_->setDragDropMode(QAbstractItemView::InternalMove);
     steps_->setFont(numberFont(metrics::kTextSize));
     steps_->setMinimumWidth(240);
+    header_->setText(
+        tr("Before the steps Create sends 00, the plan's ID and the slot's number. Its 00 is a zero byte, "
+           "and so "
+           "is slot 0."));
+    header_->setToolTip(
+        tr("A robot whose program reads its mailbox as text loses what follows a zero byte."));
     track_->setObjectName(QStringLiteral("planTrack"));
     track_->setAccessibleName(tr("Distance between the wheels, for drawing"));
     track_->setRange(1, kMostTrack_cm);
@@ -115,6 +122,7 @@ void PlanPanel::build() {
     left->setSpacing(metrics::kGap);
     left->addWidget(row_);
     left->addWidget(steps_, 1);
+    left->addWidget(header_);
     left->addWidget(length_);
     left->addWidget(notice_);
     auto* right = new QVBoxLayout;
@@ -248,6 +256,8 @@ void PlanPanel::refreshSteps() {
         for (std::size_t i = 0; i < movements.size(); ++i) {
             auto* item = new QListWidgetItem(stepText(i, movements[i]), steps_);
             item->setData(Qt::UserRole, static_cast<int>(i));
+            // Dropped between two steps, never onto one: that would take its place.
+            item->setFlags(item->flags() & ~Qt::ItemIsDropEnabled);
         }
         steps_->setCurrentRow(std::min(row, steps_->count() - 1));
     }
@@ -315,7 +325,9 @@ void PlanPanel::open() {
                   }
                   const auto read = motionplan::wire::parsePlanText(
                       file.read(motionplan::wire::kMostPlanTextBytes + 1).toStdString());
-                  if (!read)
+                  if (read && read->empty())
+                      notice_->setText(tr("%1 holds no movement; the plan here stays as it is.").arg(name));
+                  else if (!read)
                       notice_->setText(tr("%1 is not a plan. %2").arg(name, describe(read.error()).line()));
                   else
                       document_.setAll(*read);

@@ -40,6 +40,7 @@ class PlanPanel final : public Panel {
     QListWidget* steps_;
     PlanStepRow* row_;
     PlanPath* path_;
+    QLabel* header_;
     QLabel* length_;
     QLabel* notice_;
     QSpinBox* track_;

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "core/base/hex.h"
 #include "core/engine/describe.h"
 #include "core/engine/describe_motionplan.h"
 #include "core/motionplan/wire/nxt_status.h"
@@ -50,6 +51,19 @@ QString keptText(const std::vector<std::uint8_t>& movements) {
     for (const motionplan::Movement& movement : motionplan::movementsOf(movements))
         parts << movementText(movement);
     return parts.join(QStringLiteral(", "));
+}
+
+/// ": 00 01 00 0d; zero bytes: 0, 2": what would be sent. Empty for what makes no message.
+QString bytesText(bool update, int plan, int slot, const std::vector<motionplan::Movement>& movements) {
+    const auto sent = motionplan::sentPlan(update, plan, slot, movements);
+    if (!sent) return {};
+    const QString hex = QString::fromStdString(toHex(sent->bytes));
+    if (sent->zeros.empty()) return PlanRobotPanel::tr(": %1").arg(hex);
+    QStringList zeros;
+    for (const std::size_t place : sent->zeros)
+        zeros << QString::number(place);
+    return PlanRobotPanel::tr(": %1; zero bytes, counted from 0: %2")
+        .arg(hex, zeros.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -166,6 +180,7 @@ void PlanRobotPanel::connectButtons() {
     }
     connect(stop_, &QPushButton::clicked, this, [this] { submit(motionplan::StopPlan{}); });
     connect(query_, &QPushButton::clicked, this, &PlanRobotPanel::queryAll);
+    connect(id_, &QSpinBox::valueChanged, this, &PlanRobotPanel::refresh);
     connect(readTrigger_, &QPushButton::clicked, this, [this] { submit(motionplan::ReadTrigger{}); });
     connect(setTrigger_, &QPushButton::clicked, this, [this] {
         submit(motionplan::SetTrigger{id_->value(), document_.movements()});
@@ -246,7 +261,8 @@ void PlanRobotPanel::refresh() {
     warning_->setText(trigger ? tr("When the connection ends, the robot starts its trigger plan; STOP cannot "
                                    "reach it then.")
                               : tr("STOP needs Bluetooth: without it the robot goes on with its plan."));
-    stop_->setEnabled(reach);
+    // Stop needs no answer to be sent: a robot that is silent may hear all the same.
+    stop_->setEnabled(snapshot != nullptr && snapshot->link == motionplan::LinkState::Running);
     query_->setEnabled(reach);
     readTrigger_->setEnabled(reach);
     setTrigger_->setEnabled(
@@ -279,6 +295,8 @@ void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {
     row.text->setText(tr("%1: %2").arg(slot).arg(held) + steps);
     row.text->setToolTip(keptText(state.movements));
     row.send->setText(full ? tr("Update") : tr("Create"));
+    row.send->setToolTip(tr("Sends the plan of the editor to slot %1").arg(slot) +
+                         bytesText(full, full ? state.plan : id_->value(), slot, document_.movements()));
     row.send->setEnabled(reach &&
                          motionplan::planBytes(document_.movements(), motionplan::PlanUse::Slot).has_value());
     row.execute->setEnabled(reach && (full || !state.known) && !snapshot->active());
@@ -287,9 +305,10 @@ void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {
 void PlanRobotPanel::refreshTrigger(const Snapshot* snapshot) {
     const motionplan::TriggerState state =
         snapshot == nullptr ? motionplan::TriggerState{} : snapshot->trigger;
-    const QString held = !state.known                  ? tr("not asked")
-                         : state.plan == wire::kNoPlan ? tr("none")
-                                                       : tr("plan %1").arg(state.plan);
+    const bool any = state.plan != wire::kNoPlan;
+    const QString held = !state.known ? (any ? tr("plan %1, not confirmed").arg(state.plan) : tr("not asked"))
+                         : any        ? tr("plan %1").arg(state.plan)
+                                      : tr("none");
     trigger_->setText(tr("Trigger plan: %1").arg(held));
     trigger_->setToolTip(keptText(state.movements));
 }

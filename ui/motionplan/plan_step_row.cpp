@@ -109,9 +109,12 @@ void PlanStepRow::refresh() {
         offer_->setText(tr("%1, one byte").arg(wheelsText(one.wheels)));
     else if (!parts.empty())
         offer_->setText(tr("No code for this; added as exactly the same: %1").arg(sumText(parts)));
+    else if (const std::string nearest = motionplan::alternativeTo(one); !nearest.empty())
+        offer_->setText(
+            tr("No code for this, and no sum is the same. Nearest: %1").arg(QString::fromStdString(nearest)));
     else
-        offer_->setText(tr("No code for this, and no sum is the same. Nearest: %1")
-                            .arg(QString::fromStdString(motionplan::alternativeTo(one))));
+        offer_->setText(tr("No plan is long enough for this: at most %1 movements fit.")
+                            .arg(motionplan::wire::kMostMovements));
 }
 
 }  // namespace kickstand::ui

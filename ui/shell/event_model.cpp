@@ -48,7 +48,8 @@ void EventModel::add(std::vector<EventLine> lines) {
 bool EventModel::counted(const EventLine& line) {
     if (!line.countable || lines_.empty()) return false;
     EventLine& last = lines_.back();
-    if (!last.countable || last.text != line.text || last.about != line.about) return false;
+    if (!last.countable || last.text != line.text || last.robot != line.robot || last.about != line.about)
+        return false;
     ++last.count;
     last.time = line.time;
     emit dataChanged(index(0, 0), index(0, ColumnCount - 1));

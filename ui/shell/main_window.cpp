@@ -11,6 +11,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/engine/describe.h"
 #include "ui/shell/bench.h"
@@ -101,7 +102,7 @@ void MainWindow::makeBanners() {
 
     leftBehind_ = new Banner(Banner::Kind::Danger, this);
     leftBehind_->setObjectName(QStringLiteral("leftBehindBanner"));
-    QPushButton* safe = leftBehind_->addButton(tr("They are discharged"));
+    QPushButton* safe = leftBehind_->addButton(tr("They are safe now"));
     safe->setObjectName(QStringLiteral("discharged"));
     connect(safe, &QPushButton::clicked, &bench_, &Bench::forgetLeftBehind);
 
@@ -156,7 +157,11 @@ void MainWindow::refreshLeftBehind() {
     QStringList lines;
     for (const Hazard& hazard : hazards)
         lines << hazardLine(hazard, bench_.client().now());
-    if (!hazards.empty()) leftBehind_->setText(tr("LEFT LIVE"), lines.join(QStringLiteral("; ")));
+    const bool moves =
+        std::any_of(hazards.begin(), hazards.end(), [](const Hazard& one) { return one.moves; });
+    if (!hazards.empty())
+        leftBehind_->setText(moves ? tr("LEFT MOVING OR LIVE") : tr("LEFT LIVE"),
+                             lines.join(QStringLiteral("; ")));
     leftBehind_->setVisible(!hazards.empty());
 }
 

@@ -60,6 +60,7 @@ struct Hazard {
     QString text;    ///< "robot 3: 212 V on its capacitor".
     TimePoint at{};  ///< When that was known.
     bool stale = false;
+    bool moves = false;  ///< A robot that goes its own way, and not a charged capacitor.
 };
 
 /// What the shell shows of a system without knowing what it is. One for each system.

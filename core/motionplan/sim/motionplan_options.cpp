@@ -3,6 +3,8 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <locale>
+#include <sstream>
 #include <string_view>
 
 namespace kickstand::motionplan::sim {
@@ -19,11 +21,7 @@ Result<double> readNumber(const std::string& name, std::string_view text, double
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
         return fail(Errc::BadArgument, name, std::string(text));
     if (value >= lowest && value <= highest) return value;
-    return fail({.code = Errc::OutOfRange,
-                 .subject = name,
-                 .lowest = static_cast<std::int64_t>(lowest),
-                 .highest = static_cast<std::int64_t>(highest),
-                 .detail = std::string(text)});
+    return fail(outOfBounds(name, lowest, highest, text));
 }
 
 Result<void> readOption(NxtOptions& options, const std::string& name, const std::string& text) {
@@ -50,6 +48,20 @@ Result<void> readOption(NxtOptions& options, const std::string& name, const std:
 }
 
 }  // namespace
+
+Error outOfBounds(std::string_view name, double lowest, double highest, std::string_view given) {
+    Error error{.code = Errc::OutOfRange, .subject = std::string(name), .detail = std::string(given)};
+    if (lowest == std::floor(lowest) && highest == std::floor(highest)) {
+        error.lowest = static_cast<std::int64_t>(lowest);
+        error.highest = static_cast<std::int64_t>(highest);
+    } else {
+        std::ostringstream bounds;
+        bounds.imbue(std::locale::classic());
+        bounds << " (" << lowest << " to " << highest << ')';
+        error.detail += bounds.str();
+    }
+    return error;
+}
 
 Result<NxtOptions> parseNxtOptions(const std::map<std::string, std::string>& given) {
     constexpr std::string_view kNames[] = {"loss", "reply-loss", "duplicate", "delay_ms",

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/base/time.h"
@@ -29,5 +30,8 @@ struct NxtOptions {
 /// `pace=4`, `text=on|off`. Errors: UnknownName for another option, OutOfRange with the bounds, BadArgument
 /// with what was given. Any thread.
 Result<NxtOptions> parseNxtOptions(const std::map<std::string, std::string>& options);
+
+/// OutOfRange for a value that was given; bounds that are not whole stand in `detail`. Any thread.
+Error outOfBounds(std::string_view name, double lowest, double highest, std::string_view given);
 
 }  // namespace kickstand::motionplan::sim

@@ -89,12 +89,7 @@ Result<void> NxtActions::perform(std::string_view action, int unit, double value
     if (unit != -1) return fail(Errc::BadArgument, std::string(action), "it takes no number of a robot");
     const bool legal = std::isfinite(value) && value >= row->lowest && value <= row->highest &&
                        (!row->whole || value == std::floor(value));
-    if (!legal)
-        return fail({.code = Errc::OutOfRange,
-                     .subject = std::string(action),
-                     .lowest = static_cast<std::int64_t>(row->lowest),
-                     .highest = static_cast<std::int64_t>(row->highest),
-                     .detail = std::to_string(value)});
+    if (!legal) return fail(outOfBounds(action, row->lowest, row->highest, std::to_string(value)));
     row->perform(sim_, value);
     return {};
 }

@@ -122,7 +122,8 @@ ByteView withoutTerminator(ByteView held) noexcept {
     const std::size_t shorter = held.size() - 1;
     if (held[0] < kMessageKinds && shorter > 0) {
         const MessageSpec& spec = specOf(static_cast<MessageKind>(held[0]));
-        if (shorter < spec.fewestBytes() && held.size() <= spec.mostBytes()) return held;
+        const bool fixed = spec.fewestBytes() == spec.mostBytes();
+        if (fixed && held.size() == spec.mostBytes()) return held;
     }
     return held.first(shorter);
 }

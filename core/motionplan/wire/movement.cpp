@@ -100,9 +100,11 @@ Result<std::vector<Movement>> exactSum(Wheels wheels, int amount, int most) {
                      .lowest = amounts.front(),
                      .highest = reach,
                      .got = amount});
-    const Sums sums(amount, amounts);
-    const auto whole = static_cast<std::size_t>(amount);
-    if (sums.count[whole] == Sums::kImpossible) {
+    // Whole largest ones first; only what is left of them, and one more, can be put together better or worse.
+    const int largest = std::max(amount / amounts.back() - 1, 0);
+    const auto rest = static_cast<std::size_t>(amount - largest * amounts.back());
+    const Sums sums(static_cast<int>(rest), amounts);
+    if (sums.count[rest] == Sums::kImpossible) {
         const int below = amount / kAngleStep_deg * kAngleStep_deg;
         return fail({.code = Errc::NoEncoding,
                      .subject = subjectOf(wheels),
@@ -110,14 +112,14 @@ Result<std::vector<Movement>> exactSum(Wheels wheels, int amount, int most) {
                      .highest = below + kAngleStep_deg,
                      .got = amount});
     }
-    if (sums.count[whole] > most)
+    if (largest + sums.count[rest] > most)
         return fail({.code = Errc::OutOfRange,
                      .subject = subjectOf(wheels),
                      .lowest = amounts.front(),
                      .highest = reach,
                      .got = amount});
-    std::vector<Movement> movements;
-    for (std::size_t left = whole; left > 0; left -= static_cast<std::size_t>(sums.last[left]))
+    std::vector<Movement> movements(static_cast<std::size_t>(largest), Movement{wheels, amounts.back()});
+    for (std::size_t left = rest; left > 0; left -= static_cast<std::size_t>(sums.last[left]))
         movements.push_back({wheels, sums.last[left]});
     std::ranges::sort(movements, std::greater<>{}, &Movement::amount);
     return movements;

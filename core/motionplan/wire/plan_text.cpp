@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <optional>
 
 namespace kickstand::motionplan::wire {
 namespace {
 
 constexpr int kMostAmount = 100000;
+constexpr int kCm_per_m = 100;
 constexpr std::size_t kMostShown = 40;
 constexpr std::array<const char*, kWheelsCount> kPhrases{"forward",        "back",      "turn right",
                                                          "turn left back", "turn left", "turn right back"};
@@ -94,23 +96,28 @@ Result<int> takeAmount(Words& words, Wheels wheels) {
     const char* const expected = isTurn(wheels) ? "a number of degrees" : "a number of centimetres";
     const std::string_view digits = words.peek();
     if (digits.empty() || !isDigit(digits[0])) return unreadable(words, expected);
-    int amount = 0;
+    std::int64_t amount = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), amount);
-    if (error != std::errc{}) amount = kMostAmount + 1;
+    // One that no number holds, in metres too, is shown as it was written.
+    const bool huge = error != std::errc{} || amount > std::numeric_limits<std::int64_t>::max() / kCm_per_m;
     words.take();
     if (isTurn(wheels)) {
         for (const char* const unit : {"degrees", "deg", "\u00b0"}) {
             if (words.takeIf(unit)) break;
         }
     } else if (!words.takeIf("cm") && words.takeIf("m")) {
-        amount = amount > kMostAmount / 100 ? kMostAmount + 1 : amount * 100;
+        amount = huge ? amount : amount * kCm_per_m;
     }
-    if (amount >= 1 && amount <= kMostAmount) return amount;
-    return fail({.code = Errc::OutOfRange,
+    if (!huge && amount >= 1 && amount <= kMostAmount) return static_cast<int>(amount);
+    Error tooFar{.code = Errc::OutOfRange,
                  .subject = isTurn(wheels) ? "angle" : "distance",
                  .lowest = 1,
-                 .highest = kMostAmount,
-                 .got = amount});
+                 .highest = kMostAmount};
+    if (huge)
+        tooFar.detail = digits.substr(0, kMostShown);
+    else
+        tooFar.got = amount;
+    return fail(std::move(tooFar));
 }
 
 tl::unexpected<Error> tooMuch(const char* what, std::size_t most, std::size_t got) {
@@ -139,6 +146,9 @@ std::string toText(std::span<const Movement> movements) {
 Result<std::vector<Movement>> parsePlanText(std::string_view text) {
     if (text.size() > kMostPlanTextBytes)
         return tooMuch("length of the text", kMostPlanTextBytes, text.size());
+    // Some editors begin a file with the mark of its encoding.
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
     std::vector<Movement> movements;
     Words words(text);
     while (!words.atEnd()) {

@@ -24,7 +24,8 @@ std::string toText(std::span<const Movement> movements);
 /// matter. "turn left" is the right wheel forward, "turn left back" the left wheel backward, and so on
 /// (protocol 5.1). Amounts are not checked against the tables: encodeMovement() does that. Errors: Malformed
 /// with the word in `detail`, its place in `got` (from 0) and what was expected in `subject`; OutOfRange for
-/// an amount below 1 or past 100000, and for texts and plans past all bounds. Any thread.
+/// an amount below 1 or past 100000 (in `got`, or as it was written in `detail`), and for texts and plans
+/// past all bounds. Any thread.
 Result<std::vector<Movement>> parsePlanText(std::string_view text);
 
 }  // namespace kickstand::motionplan::wire

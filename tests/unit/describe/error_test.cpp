@@ -76,6 +76,7 @@ TEST(DescribeError, EveryTemplateIsReached) {
         Error error = errorOf(text.code);
         const auto names = [&](const char* fact) { return whole.find(fact) != std::string::npos; };
         if (names("{subject}")) error.subject = "s";
+        if (*text.onlyFor != '\0') error.subject = text.onlyFor;
         if (names("{detail}")) error.detail = "d";
         if (names("{port}")) error.port = "p";
         if (names("{robot}")) error.robot = 1;
@@ -109,6 +110,40 @@ TEST(DescribeError, NamesTheSerialPortAndWhatToDoAboutIt) {
     EXPECT_EQ(whatOf(error), "Another program holds the serial port /dev/ttyACM0.");
     error.code = Errc::NoDevice;
     EXPECT_EQ(whatOf(error), "There is no serial port /dev/ttyACM0.");
+}
+
+TEST(DescribeError, ARefusalOfARobotWithPlansSaysWhatHelpsAgainstThatOne) {
+    Error error = errorOf(Errc::WouldBeRefused);
+    error.subject = "adjust-idle";
+    error.detail = "no plan is executing";
+    error.got = 7;
+    EXPECT_EQ(lineOf(error),
+              "Not sent, because the robot would refuse it: no plan is executing (error 7). Execute a plan "
+              "first, and adjust it before it ends.");
+    error.code = Errc::PlanRefused;
+    EXPECT_NE(lineOf(error).find("Execute a plan first"), std::string::npos);
+    error.subject = "slot-full";
+    EXPECT_NE(lineOf(error).find("Query the slot"), std::string::npos);
+}
+
+TEST(DescribeError, OnlyWhatIsNeverSentAgainIsSaidNotToBe) {
+    Error error = errorOf(Errc::Unconfirmed);
+    const std::string never = "not sent again unasked";
+    for (const char* subject : {"execute", "adjust"}) {
+        error.subject = subject;
+        EXPECT_NE(lineOf(error).find(never), std::string::npos) << subject;
+    }
+    for (const char* subject : {"create", "update", "trigger", "stop", ""}) {
+        error.subject = subject;
+        EXPECT_EQ(lineOf(error).find(never), std::string::npos) << subject;
+    }
+}
+
+TEST(DescribeError, ARangeThatNoWholeNumbersNameStandsInTheSentence) {
+    Error error = errorOf(Errc::OutOfRange);
+    error.subject = "pace";
+    error.detail = "0 (0.1 to 100)";
+    EXPECT_EQ(lineOf(error), "pace is out of range: 0 (0.1 to 100). Choose a value within its range.");
 }
 
 TEST(DescribeError, NamesTheRobot) {

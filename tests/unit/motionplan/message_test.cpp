@@ -116,6 +116,9 @@ TEST(Terminator, AZeroThatTheMessageNeedsIsNone) {
     EXPECT_EQ(cut("04 09 04 00"), "04 09 04 00");
     EXPECT_EQ(cut("07 00"), "07 00");
     EXPECT_EQ(cut("06 09 00 00 00"), "06 09 00 00 00");
+    // A message that may be longer says nothing about where it ends.
+    EXPECT_EQ(cut("08 07 00"), "08 07");
+    EXPECT_EQ(cut("02 09 01 00"), "02 09 01");
 }
 
 TEST(ZeroBytes, AreFoundWhereTheyStand) {

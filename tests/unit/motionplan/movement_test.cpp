@@ -100,6 +100,33 @@ TEST(ExactSum, IsAsShortAsItCanBe) {
               (std::vector<Movement>{{Wheels::LeftForward, 90}, {Wheels::LeftForward, 90}}));
 }
 
+TEST(ExactSum, OfWholeLargestOnesAndARestIsAsShortAsAnyOther) {
+    // What a table over every amount says, for straight lines and for turns.
+    for (const auto& [wheels, reach] :
+         {std::pair{Wheels::BothForward, 6000}, std::pair{Wheels::RightBack, 4950}}) {
+        std::vector<int> parts;
+        for (int byte = 0; byte < 256; ++byte) {
+            const auto one = decodeMovement(static_cast<std::uint8_t>(byte));
+            if (one && one->wheels == wheels) parts.push_back(one->amount);
+        }
+        std::vector<int> fewest(static_cast<std::size_t>(reach) + 1, reach + 1);
+        fewest[0] = 0;
+        for (int amount = 1; amount <= reach; ++amount) {
+            auto& count = fewest[static_cast<std::size_t>(amount)];
+            for (const int part : parts) {
+                if (part <= amount)
+                    count = std::min(count, fewest[static_cast<std::size_t>(amount - part)] + 1);
+            }
+            const auto sum = exactSum(wheels, amount, 1000);
+            const int expected = fewest[static_cast<std::size_t>(amount)];
+            ASSERT_EQ(sum ? static_cast<int>(sum->size()) : reach + 1, expected) << amount;
+            if (sum) {
+                ASSERT_EQ(total(*sum), amount);
+            }
+        }
+    }
+}
+
 TEST(ExactSum, AnAngleBetweenTheStepsHasNoSumAndItsNeighboursAreNamed) {
     const auto sum = exactSum(Wheels::RightBack, 100, 55);
     ASSERT_FALSE(sum);

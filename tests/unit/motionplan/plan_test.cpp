@@ -33,12 +33,31 @@ TEST(PlanBytes, AreLimitedByTheUse) {
     EXPECT_EQ(planBytes({}, PlanUse::Trigger).error().code, Errc::OutOfRange);
 }
 
+TEST(SentPlan, NamesTheZeroBytesOfItsHeaderAndItsSteps) {
+    const std::vector<Movement> plan{{Wheels::BothForward, 25}, {Wheels::BothForward, 1000}};
+    const auto create = sentPlan(false, 9, 0, plan);
+    ASSERT_TRUE(create);
+    EXPECT_EQ(create->bytes, (std::vector<std::uint8_t>{0x00, 0x09, 0x00, 0x0D, 0x00}));
+    EXPECT_EQ(create->zeros, (std::vector<std::size_t>{0, 2, 4}));
+    const auto update = sentPlan(true, 9, 4, {plan.data(), 1});
+    ASSERT_TRUE(update);
+    EXPECT_EQ(update->bytes, (std::vector<std::uint8_t>{0x02, 0x09, 0x04, 0x0D}));
+    EXPECT_TRUE(update->zeros.empty());
+    EXPECT_EQ(sentPlan(false, 0, 4, plan).error().code, Errc::OutOfRange);
+    EXPECT_EQ(sentPlan(false, 9, 4, {}).error().code, Errc::OutOfRange);
+}
+
 TEST(Alternative, NamesTheExactSumOrTheNeighbours) {
     EXPECT_EQ(alternativeTo({Wheels::BothForward, 25}), "");
     EXPECT_EQ(alternativeTo({Wheels::BothForward, 38}), "forward 35, forward 3");
     EXPECT_EQ(alternativeTo({Wheels::RightForward, 120}), "turn left 90, turn left 30");
     EXPECT_EQ(alternativeTo({Wheels::RightForward, 85}), "turn left 84 or turn left 87");
     EXPECT_EQ(alternativeTo({Wheels::RightForward, 1}), "turn left 3");
+    // A neighbour past the largest angle is a sum itself, and one that no plan holds is none.
+    EXPECT_EQ(alternativeTo({Wheels::RightForward, 91}), "turn left 90 or turn left 90, turn left 3");
+    EXPECT_EQ(alternativeTo({Wheels::RightForward, 181}),
+              "turn left 90, turn left 90 or turn left 90, turn left 90, turn left 3");
+    EXPECT_EQ(alternativeTo({Wheels::BothForward, 54999}), "");
     EXPECT_EQ(alternativeTo({Wheels::BothForward, 100000}), "");
 }
 

@@ -31,6 +31,9 @@ TEST(PlanText, CaseUnitsLinesAndCommentsAreAPersonsOwnAffair) {
               (Movements{{Wheels::BothForward, 200}, {Wheels::RightForward, 84}, {Wheels::BothBack, 50}}));
     EXPECT_EQ(parsePlanText("turn right 9 degrees,turn right 9deg"),
               (Movements{{Wheels::LeftForward, 9}, {Wheels::LeftForward, 9}}));
+    EXPECT_EQ(parsePlanText("\xEF\xBB\xBF"
+                            "forward 25\r\n"),
+              (Movements{{Wheels::BothForward, 25}}));
     EXPECT_EQ(parsePlanText(""), Movements{});
     EXPECT_EQ(parsePlanText("# nothing"), Movements{});
 }
@@ -64,6 +67,10 @@ TEST(PlanText, WhatNoPlanCanHoldIsRefused) {
     EXPECT_EQ(parsePlanText("forward 0").error().code, Errc::OutOfRange);
     EXPECT_EQ(parsePlanText("forward 99999999999999").error().code, Errc::OutOfRange);
     EXPECT_EQ(parsePlanText("forward 2000 m").error().code, Errc::OutOfRange);
+    EXPECT_EQ(parsePlanText("forward 99999999").error().got, 99999999);
+    EXPECT_EQ(parsePlanText("forward 2000 m").error().got, 200000);
+    EXPECT_EQ(parsePlanText("turn left 99999999999999999999").error().detail, "99999999999999999999");
+    EXPECT_EQ(parsePlanText("back 9000000000000000000 m").error().detail, "9000000000000000000");
     std::string many;
     for (std::size_t i = 0; i <= kMostPlanSteps; ++i)
         many += "forward 1,";
