@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QSpinBox>
 #include <QTest>
 
 #include "tests/ui/bench_rig.h"
@@ -236,6 +237,44 @@ TEST_F(PadTest, AnInputIsChosenByMovingItAndNothingIsDrivenMeanwhile) {
                     .startsWith(QStringLiteral("a4+")));
     button("padStandard")->click();
     EXPECT_EQ(forward->text(), QStringLiteral("left stick up"));
+}
+
+TEST_F(PadTest, StopCountsWhileAnInputIsChosenAndItsButtonCannotBeTakenAway) {
+    ASSERT_TRUE(control->setWheels(ui::DriveInput::Keys, {5, 5, 5, 5}, true));
+    ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block.wheels[0] == 5; }));
+    pad->learn(ui::PadAction::Dribbler);
+    hold(kStopButton, true);
+    ASSERT_TRUE(rig.waitForStop());
+    EXPECT_FALSE(pad->learning().has_value());
+    EXPECT_TRUE(says().contains(QStringLiteral("STOP button"))) << says().toStdString();
+    EXPECT_EQ(pad->map().input(ui::PadAction::Stop), ui::PadMap().input(ui::PadAction::Stop));
+    EXPECT_EQ(pad->map().input(ui::PadAction::Dribbler), ui::PadMap().input(ui::PadAction::Dribbler));
+}
+
+TEST_F(PadTest, OneThatTellsNothingNewWhileAStickIsOffTheMiddleBrakes) {
+    push(1, -1);
+    ASSERT_TRUE(waitForward());
+    EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return !block.run; }));
+    EXPECT_TRUE(says().contains(QStringLiteral("Nothing has moved"))) << says().toStdString();
+    rig.wire().clear();
+    push(1, -0.9);
+    ASSERT_TRUE(look());
+    EXPECT_FALSE(rig.wire().last(3) && rig.wire().last(3)->run) << "not before the stick was let go";
+}
+
+TEST_F(PadTest, DeadZoneAndSpeedShapeWhatReachesTheWheels) {
+    panel->findChild<QSpinBox*>(QStringLiteral("padSpeed"))->setValue(50);
+    push(1, -1);
+    EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block.wheels[3] == 50; }));
+    push(1, 0);
+    ASSERT_TRUE(waitZero());
+    panel->findChild<QSpinBox*>(QStringLiteral("padDeadZone"))->setValue(50);
+    ASSERT_TRUE(look());
+    rig.wire().clear();
+    push(1, -0.45);
+    ASSERT_TRUE(look());
+    constexpr std::array<std::int16_t, 4> kStill{};
+    EXPECT_EQ(rig.wire().last(3).value_or(DriveBlock{}).wheels, kStill);
 }
 
 TEST_F(PadTest, WhileAnotherInputDrivesTheStickCountsForNothing) {

@@ -2,6 +2,7 @@
 
 #include "ui/thunderbots/kick_diagram.h"
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -12,12 +13,15 @@ namespace {
 
 using namespace thunderbots::wire;
 
+bool isPair(const KickPulses& pulses) {
+    return pulses.width1_us > 0 && pulses.width2_us > 0;
+}
+
 /// Whether the wire says exactly what the diagram shows.
 void expectOnTheWire(const KickPulses& pulses) {
     const auto encoded = encodePulses(pulses);
     ASSERT_TRUE(encoded) << pulses.width1_us << " " << pulses.width2_us << " " << pulses.offset_us;
-    const bool both = pulses.width1_us > 0 && pulses.width2_us > 0;
-    if (both || pulses.offset_us == 0) {
+    if (isPair(pulses) || pulses.offset_us == 0) {
         EXPECT_FALSE(encoded->snapped);
         EXPECT_EQ(encoded->sent, pulses);
     }
@@ -27,7 +31,7 @@ void expectOnTheWire(const KickPulses& pulses) {
         const PulseEdge start = solenoid == 1 ? PulseEdge::Start1 : PulseEdge::Start2;
         const PulseEdge end = solenoid == 1 ? PulseEdge::End1 : PulseEdge::End2;
         EXPECT_EQ(pulse.width_us, timeOf(pulses, end) - timeOf(pulses, start));
-        if (both) {
+        if (pulse.width_us > 0) {
             EXPECT_EQ(pulse.start_us, timeOf(pulses, start));
         }
     }
@@ -37,7 +41,7 @@ void expectOnTheWire(const KickPulses& pulses) {
 void expectOneEdgeMoved(const KickPulses& before, const KickPulses& after, PulseEdge pulledEdge,
                         int time_us) {
     for (const PulseEdge edge : kPulseEdges) {
-        if (edge == pulledEdge) continue;
+        if (edge == pulledEdge || (isPair(before) && !isPair(after))) continue;
         EXPECT_EQ(timeOf(after, edge), timeOf(before, edge));
     }
     const int now_us = timeOf(after, pulledEdge);
@@ -48,10 +52,10 @@ void expectOneEdgeMoved(const KickPulses& before, const KickPulses& after, Pulse
         return;
     }
     const int solenoid = solenoidOf(pulledEdge);
-    const int start_us = startOf(before, solenoid);
+    const int start_us = std::max(startOf(before, solenoid), startOf(after, solenoid));
     const int end_us = timeOf(before, solenoid == 1 ? PulseEdge::End1 : PulseEdge::End2);
-    const bool reachable =
-        isStart(pulledEdge) ? snappedTime(time_us) < end_us : snappedTime(time_us) >= start_us;
+    const bool reachable = isStart(pulledEdge) ? snappedTime(time_us) < end_us
+                                               : snappedTime(time_us) > start_us || snappedTime(time_us) == 0;
     if (reachable) {
         EXPECT_EQ(now_us, snappedTime(time_us));
     }
@@ -111,6 +115,15 @@ TEST(KickDiagram, APulseThatIsTooLateCanBePulledBack) {
     ASSERT_FALSE(encodePulses(impossible));
     expectOnTheWire(pulled(impossible, PulseEdge::End2, 4064));
     EXPECT_EQ(pulled(impossible, PulseEdge::End2, 4064).width2_us, 3680);
+}
+
+TEST(KickDiagram, OnePulseAloneBeginsWithTheKickWhateverTheOffset) {
+    for (const KickPulses& pulses : {KickPulses{0, 640, 384}, KickPulses{4064, 0, -320}}) {
+        EXPECT_EQ(startOf(pulses, 1), 0);
+        EXPECT_EQ(startOf(pulses, 2), 0);
+        expectOnTheWire(pulses);
+    }
+    EXPECT_EQ(pulled({640, 0, 384}, PulseEdge::End2, 1024), (KickPulses{640, 1024, 0}));
 }
 
 TEST(KickDiagram, PixelsGoToTheNearestStepAndBack) {

@@ -46,6 +46,21 @@ TEST_F(KickPanelTest, EachButtonSendsItsSolenoids) {
     EXPECT_EQ(kickOnWire(), (Bytes{0x80, 0xa0, 0x00}));
 }
 
+TEST_F(KickPanelTest, WhatIsTypedStaysWhileTheRobotsGoOnAndIsTakenWhenTheFieldIsLeft) {
+    QSpinBox* width = field("kickWidth1");
+    width->setFocus();
+    width->selectAll();
+    for (const char digit : {'1', '8', '2', '4'}) {
+        QTest::keyClick(width, digit);
+        ASSERT_TRUE(rig.settle());
+        ASSERT_TRUE(rig.settle());
+    }
+    EXPECT_EQ(width->text(), QStringLiteral("1824"));
+    field("kickWidth2")->setFocus();
+    EXPECT_EQ(width->value(), 1824);
+    EXPECT_TRUE(line("kickWire").contains(QStringLiteral("t1 57"))) << line("kickWire").toStdString();
+}
+
 TEST_F(KickPanelTest, NumbersOffTheGridAreSnappedAndThatIsSaid) {
     type("kickWidth1", QStringLiteral("2390"));
     EXPECT_EQ(field("kickWidth1")->value(), 2400);

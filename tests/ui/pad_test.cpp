@@ -64,9 +64,19 @@ TEST(PadMap, TextThatIsNoMapChangesNothing) {
 
 TEST(PadMap, AButtonDoesOneThing) {
     PadMap map;
-    map.setInput(PadAction::Kick, map.input(PadAction::Stop));
-    EXPECT_EQ(map.input(PadAction::Stop).kind, PadInput::Kind::None);
-    EXPECT_EQ(inputText(map.input(PadAction::Stop), true), QStringLiteral("nothing"));
+    map.setInput(PadAction::Kick, map.input(PadAction::Chip));
+    EXPECT_EQ(map.input(PadAction::Chip).kind, PadInput::Kind::None);
+    EXPECT_EQ(inputText(map.input(PadAction::Chip), true), QStringLiteral("nothing"));
+}
+
+TEST(PadMap, NothingTakesTheButtonOfStop) {
+    PadMap map;
+    const PadInput stop = map.input(PadAction::Stop);
+    map.setInput(PadAction::Kick, stop);
+    EXPECT_EQ(map.input(PadAction::Stop), stop);
+    EXPECT_EQ(map.input(PadAction::Kick), PadMap().input(PadAction::Kick));
+    map.setInput(PadAction::Stop, map.input(PadAction::Kick));
+    EXPECT_EQ(map.input(PadAction::Kick).kind, PadInput::Kind::None) << "STOP takes what it is given";
 }
 
 TEST(PadState, WhatAPadDoesNotHaveIsNothing) {

@@ -70,6 +70,21 @@ TEST_F(SimPanelTest, NumbersAreTypedAndFollowWhatIs) {
     EXPECT_TRUE(waitForValue(QStringLiteral("sim-temperature-2"), 61));
 }
 
+TEST_F(SimPanelTest, WhatIsTypedStaysWhileTheRobotsGoOn) {
+    auto* battery = in<QDoubleSpinBox>(QStringLiteral("sim-battery-2"));
+    battery->setFocus();
+    battery->selectAll();
+    for (const char key : {'1', '3', '.', '4'}) {
+        QTest::keyClick(battery, key);
+        for (int i = 0; i < 20; ++i)
+            ASSERT_TRUE(rig.settle());
+    }
+    EXPECT_EQ(battery->text(), QStringLiteral("13.4 V"));
+    QTest::keyClick(battery, Qt::Key_Tab);
+    EXPECT_TRUE(waitForRobot(
+        [](const RobotState& robot) { return std::abs(robot.readings.battery_V - 13.4) < 0.1; }));
+}
+
 TEST_F(SimPanelTest, ARobotIsSwitchedOffAndOn) {
     auto* power = in<ui::Segmented>(QStringLiteral("sim-dead-2"));
     power->button(0)->click();

@@ -53,6 +53,7 @@ void HelmGamepad::look(const PadState& state) {
     if (!on_ || reading.awaitsNeutral) return;
     const Velocity asked{nearestLevel(100 * reading.of(PadAction::Forward)),
                          nearestLevel(100 * reading.of(PadAction::Turn))};
+    if (!asked.isZero() && pads_.isAsleep()) return drop();
     // What rests leaves the helm to pointer and keys.
     if (asked.isZero() && !steers_) return;
     steers_ = !asked.isZero();

@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 
 /// As often as the fastest link takes commands.
 constexpr auto kPollInterval = 8ms;
+constexpr std::chrono::milliseconds kAsleepAfter = 5s;
 constexpr const char* kModelSetting = "gamepad/model";
 constexpr const char* kDeadZoneSetting = "gamepad/deadZone";
 constexpr const char* kBendSetting = "gamepad/bend";
@@ -43,7 +44,10 @@ void PadFollower::poll() {
     followPads();
     const auto state = there_ ? source_->state(chosen_.id) : std::nullopt;
     if (there_ && !state) lose();
-    if (state) emit looked(*state);
+    if (!state) return;
+    if (*state != state_) moved_.start();
+    state_ = *state;
+    emit looked(*state);
 }
 
 void PadFollower::followPads() {
@@ -61,6 +65,10 @@ void PadFollower::followPads() {
     emit changed();
 }
 
+bool PadFollower::isAsleep() const {
+    return moved_.isValid() && moved_.hasExpired(kAsleepAfter.count());
+}
+
 void PadFollower::lose() {
     there_ = false;
     emit lost();
@@ -73,6 +81,8 @@ void PadFollower::choose(const PadInfo& pad) {
     settings_.setValue(kModelSetting, QString::fromStdString(pad.model));
     map_ = PadMap();
     map_.setText(settings_.value(mapSetting(chosen_)).toString());
+    if (map_.input(PadAction::Stop).kind == PadInput::Kind::None)
+        map_.setInput(PadAction::Stop, PadMap().input(PadAction::Stop));
     emit chose();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <functional>
@@ -32,6 +33,9 @@ class PadFollower final : public QObject {
     const PadInfo& chosen() const { return chosen_; }
     bool isThere() const { return there_; }
     void choose(const PadInfo& pad);
+    /// Whether nothing on it has moved for five seconds. One that has gone to sleep, or out of reach, may go on
+    /// telling what it told last, and no hand that holds a stick is so still.
+    bool isAsleep() const;
 
     const PadMap& map() const { return map_; }
     void setMap(const PadMap& map);
@@ -59,6 +63,8 @@ class PadFollower final : public QObject {
     std::vector<PadInfo> pads_;
     PadInfo chosen_;
     bool there_ = false;
+    PadState state_;
+    QElapsedTimer moved_;  ///< Since something last moved on it.
     PadMap map_;
     StickCurve curve_;
     QTimer timer_;

@@ -117,6 +117,7 @@ PadMap::PadMap()
               button(kRightShoulder), button(kLeftShoulder), button(kButtonB)} {}
 
 void PadMap::setInput(PadAction action, const PadInput& input) {
+    if (action != PadAction::Stop && input == this->input(PadAction::Stop)) return;
     if (!isStick(action)) {
         for (const PadAction other : kPadActions) {
             PadInput& own = inputs_[static_cast<std::size_t>(other)];

@@ -23,7 +23,8 @@ class PadMap {
     PadMap();
 
     const PadInput& input(PadAction action) const { return inputs_[static_cast<std::size_t>(action)]; }
-    /// A button does one thing: whoever had this one before has none then.
+    /// A button does one thing: whoever had this one before has none then. The one that STOP has stays
+    /// STOP's.
     void setInput(PadAction action, const PadInput& input);
 
     /// For settings: "a1- a0- …".

@@ -154,14 +154,19 @@ void DrivePad::act(const PadState& state) {
     const bool awaited = reading_.awaitsNeutral;
     const bool news = state != state_;
     state_ = state;
+    reading_ = reader_.read(state, map(), curve(), wheels_);
+    // STOP counts whatever else its button might be wanted for.
+    if (reading_.wasPressed(PadAction::Stop) && learning_ != PadAction::Stop) {
+        if (learning_) {
+            learn(std::nullopt);
+            say(tr("That is the STOP button. Choose another, or give STOP another button first."));
+        }
+        bench_.client().stop(StopReason::Person);
+        return;
+    }
     if (learning_) {
         learnFrom(state);
         if (news) emit moved();
-        return;
-    }
-    reading_ = reader_.read(state, map(), curve(), wheels_);
-    if (reading_.wasPressed(PadAction::Stop)) {
-        bench_.client().stop(StopReason::Person);
         return;
     }
     if (on_) drive();
@@ -180,6 +185,7 @@ void DrivePad::drive() {
     const bool off =
         std::any_of(reading_.value.begin(), reading_.value.end(), [](double v) { return v != 0; });
     if (!off && !drove_) return;
+    if (off && pads_.isAsleep()) return fallAsleep();
     drove_ = off;
     const int limit = control_.limit() * speed_percent_ / 100;
     const WheelSpeeds wheels = wheelsFrom(reading_, wheels_, limit);
@@ -188,6 +194,16 @@ void DrivePad::drive() {
     drove_ = false;
     awaitNeutral();
     say(tr("Something else is held that drives. Let go of it, and of the sticks."));
+}
+
+void DrivePad::fallAsleep() {
+    control_.brake();
+    drove_ = false;
+    awaitNeutral();
+    say(tr(
+        "Nothing has moved on the gamepad for 5 s: the chosen robots were told to brake. Wake it up, and let "
+        "its sticks go."));
+    emit changed();
 }
 
 void DrivePad::kick(bool chip) {

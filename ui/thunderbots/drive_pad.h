@@ -62,6 +62,7 @@ class DrivePad final : public QObject {
     void learnFrom(const PadState& state);
     void awaitNeutral();
     void drive();
+    void fallAsleep();
     void kick(bool chip);
     void ask(const thunderbots::Command& command);
     void say(const QString& words);

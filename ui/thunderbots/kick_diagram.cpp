@@ -55,6 +55,9 @@ int snappedTime(int time_us) {
 }
 
 int startOf(const KickPulses& pulses, int solenoid) {
+    // One pulse alone begins with the kick: the wire has an offset only between two.
+    const bool both = pulses.width1_us > 0 && pulses.width2_us > 0;
+    if (!both) return 0;
     return std::max(0, solenoid == 1 ? -pulses.offset_us : pulses.offset_us);
 }
 
@@ -66,8 +69,7 @@ int timeOf(const KickPulses& pulses, PulseEdge edge) {
 bool canPull(const KickPulses& pulses, PulseEdge edge) {
     if (!isStart(edge)) return true;
     if (pulses.width1_us <= 0 || pulses.width2_us <= 0) return false;
-    const int other = solenoidOf(edge) == 1 ? 2 : 1;
-    return startOf(pulses, other) == 0;
+    return startOf(pulses, 3 - solenoidOf(edge)) == 0;
 }
 
 KickPulses pulled(const KickPulses& pulses, PulseEdge edge, int time_us) {
@@ -77,6 +79,8 @@ KickPulses pulled(const KickPulses& pulses, PulseEdge edge, int time_us) {
     KickPulses result = pulses;
     if (!isStart(edge)) {
         setWidth(result, solenoid, std::max(0, wanted_us - startOf(pulses, solenoid)));
+        // A pulse that comes out of nothing begins where it was drawn: with the kick.
+        if (widthOf(pulses, solenoid) <= 0) result.offset_us = 0;
         return result;
     }
     // One step has to stay, or there is nothing left to pull back.

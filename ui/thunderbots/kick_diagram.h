@@ -32,15 +32,17 @@ struct PulseAxis {
 int onGrid(int value_us);
 /// Brings a time onto the grid and into 0-4064 µs.
 int snappedTime(int time_us);
-/// When a solenoid is switched on, whether its pulse has a width or not.
+/// When a solenoid is switched on, whether its pulse has a width or not: with the kick, but for the later one
+/// of two pulses.
 int startOf(const thunderbots::wire::KickPulses& pulses, int solenoid);
 /// When an edge is, after the moment of the kick. Past 4064 µs for a pulse that does not fit.
 int timeOf(const thunderbots::wire::KickPulses& pulses, PulseEdge edge);
 /// Whether an edge can be pulled: a solenoid without a pulse has only its falling edge, and of the two
 /// leading edges the earlier one is the kick itself and stays where it is.
 bool canPull(const thunderbots::wire::KickPulses& pulses, PulseEdge edge);
-/// The pulses once an edge has been pulled to a time. It alone moves: never past the other edge of its pulse,
-/// nor off the grid. Unchanged where it cannot be pulled.
+/// The pulses once an edge has been pulled to a time. It alone moves, never past the other edge of its pulse,
+/// nor off the grid; only where a pulse goes, the other one begins with the kick. Unchanged where it cannot
+/// be pulled.
 thunderbots::wire::KickPulses pulled(const thunderbots::wire::KickPulses& pulses, PulseEdge edge,
                                      int time_us);
 

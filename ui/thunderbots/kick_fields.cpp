@@ -54,9 +54,9 @@ SignedSpinBox* KickFields::addField(const char* name, const QString& label, int 
 
 void KickFields::showPulses(const wire::KickPulses& pulses) {
     const QScopedValueRollback telling(telling_, true);
-    width1_->setValue(pulses.width1_us);
-    width2_->setValue(pulses.width2_us);
-    offset_->setValue(pulses.offset_us);
+    width1_->showValue(pulses.width1_us);
+    width2_->showValue(pulses.width2_us);
+    offset_->showValue(pulses.offset_us);
 }
 
 void KickFields::changed(SignedSpinBox* field, int value) {

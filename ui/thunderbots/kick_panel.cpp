@@ -207,6 +207,8 @@ void KickPanel::showPulses() {
     fields_->showPulses(pulses);
     QString text =
         encoded ? tr("on the wire: %1").arg(wireText(encoded->times)) : tr("no such kick exists on the wire");
+    if (pulses.offset_us != 0 && (pulses.width1_us == 0 || pulses.width2_us == 0))
+        text += tr("   no offset with one pulse");
     if (!snapped_.isEmpty()) text = QStringLiteral("%1   %2").arg(text, snapped_);
     wire_->setText(text);
     wire_->setToolTip(snapped_.isEmpty() ? text : QStringLiteral("%1\n%2").arg(text, snapped_));

@@ -90,9 +90,9 @@ void LedsPanel::build() {
     column->addSpacing(2);
     column->addWidget(lights_);
     column->addWidget(advice_);
+    column->addWidget(notice_);
     column->addWidget(makeWays());
     column->addWidget(told_);
-    column->addWidget(notice_);
     column->addStretch(1);
 }
 

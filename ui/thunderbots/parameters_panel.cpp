@@ -95,8 +95,12 @@ QWidget* ParametersPanel::makeDraft() {
     column->setSpacing(metrics::kGap);
     column->addWidget(grid_);
     column->addWidget(makeSteps());
-    column->addWidget(state_);
-    column->addWidget(notice_);
+    // Side by side, so that both are seen in the lowest window.
+    auto* words = new QHBoxLayout;
+    words->setSpacing(metrics::kPadding);
+    words->addWidget(state_);
+    words->addWidget(notice_, 1);
+    column->addLayout(words);
     column->addStretch(1);
     return box;
 }

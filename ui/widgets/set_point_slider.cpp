@@ -37,6 +37,7 @@ SetPointSlider::SetPointSlider(const QString& name, QWidget* parent)
     field_->setAccessibleName(name);
     field_->setToolTip(tr("Type a number and press Enter. Double-click the slider for zero."));
     field_->setFixedWidth(kFieldWidth);
+    field_->setLeavingGivesBack(true);
     field_->setFont(numberFont(metrics::kTextSize));
     meaning_->setMinimumWidth(kMeaningWidth);
     meaning_->setForegroundRole(QPalette::PlaceholderText);

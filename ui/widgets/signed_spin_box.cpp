@@ -46,6 +46,11 @@ void SignedSpinBox::setDecimals(int decimals) {
     lineEdit()->setText(textFromValue(value()));
 }
 
+void SignedSpinBox::showValue(int value) {
+    // Setting what it has already would throw away what is being typed.
+    if (value != this->value()) setValue(value);
+}
+
 std::optional<qint64> SignedSpinBox::parse(const QString& text) const {
     bool isNumber = false;
     if (decimals_ == 0) {
@@ -84,7 +89,7 @@ void SignedSpinBox::fixup(QString& text) const {
 }
 
 void SignedSpinBox::focusOutEvent(QFocusEvent* event) {
-    lineEdit()->setText(textFromValue(value()));
+    if (leavingGivesBack_) lineEdit()->setText(textFromValue(value()));
     QSpinBox::focusOutEvent(event);
 }
 

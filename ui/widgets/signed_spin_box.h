@@ -6,8 +6,8 @@
 namespace kickstand::ui {
 
 /// A whole number with a typographic minus, the keyboard alone (no arrows, no wheel unless it has the focus).
-/// What is typed counts when Enter is pressed; leaving the field gives the old number back: nothing moves
-/// because somebody clicked elsewhere.
+/// What is typed counts when Enter is pressed or the field is left; where it would move something, Enter
+/// alone: nothing moves because somebody clicked elsewhere.
 class SignedSpinBox final : public QSpinBox {
     Q_OBJECT
   public:
@@ -15,6 +15,10 @@ class SignedSpinBox final : public QSpinBox {
 
     /// Shows the value with so many places after the point: 235 as "2.35".
     void setDecimals(int decimals);
+    /// Leaving the field gives the old number back instead of confirming what was typed: for what moves.
+    void setLeavingGivesBack(bool givesBack) { leavingGivesBack_ = givesBack; }
+    /// Shows a value; what is being typed stays while it is the same.
+    void showValue(int value);
 
   protected:
     bool event(QEvent* event) override;
@@ -30,6 +34,7 @@ class SignedSpinBox final : public QSpinBox {
     std::optional<qint64> parse(const QString& text) const;
 
     int decimals_ = 0;
+    bool leavingGivesBack_ = false;
 };
 
 }  // namespace kickstand::ui
