@@ -33,8 +33,8 @@ class PadFollower final : public QObject {
     const PadInfo& chosen() const { return chosen_; }
     bool isThere() const { return there_; }
     void choose(const PadInfo& pad);
-    /// Whether nothing on it has moved for five seconds. One that has gone to sleep, or out of reach, may go on
-    /// telling what it told last, and no hand that holds a stick is so still.
+    /// Whether nothing on it has moved for five seconds. One that has gone to sleep, or out of reach, may go
+    /// on telling what it told last, and no hand that holds a stick is so still.
     bool isAsleep() const;
 
     const PadMap& map() const { return map_; }
