@@ -298,6 +298,12 @@ template <class Event>
 int robotIn(const Event& event) {
     return event.robot;
 }
+int robotIn(const thunderbots::Event& event) {
+    if (event.kind != EventKind::DongleFault) return event.robot;
+    // The dongle tells of some robots by its codes alone.
+    const wire::Fault fault = wire::dongleFault(static_cast<std::uint8_t>(event.code));
+    return fault.subject == wire::FaultSubject::Robot ? fault.index : event.robot;
+}
 int robotIn(const coach::Event&) {
     return -1;
 }

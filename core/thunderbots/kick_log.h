@@ -35,6 +35,8 @@ class KickLog final : public SampleSink {
     void heard(const Event& event, const RobotState& state);
     /// What the next kick that the dongle takes is due to; none for a pulse that is no kick.
     void expect(std::optional<KickCause> cause) { expected_ = cause; }
+    /// Whether it is a kick, and not a pulse of a discharge.
+    bool expectsKick() const { return expected_.has_value(); }
     /// The times that this robot kicks with by itself from now on.
     void autokickSet(int robot, const wire::KickTimes& times) { at(robot).autokick = times; }
     /// Ends what has taken too long.

@@ -57,7 +57,8 @@ bool Session::active() const {
 }
 
 void Session::modelEvent(const Event& event) {
-    host_.event(event);
+    // A discharge gives very many short pulses: that it began and how it ended is all that is to be told.
+    if (event.kind != EventKind::KickGiven || kickLog_.expectsKick()) host_.event(event);
     if (event.robot >= 0) kickLog_.heard(event, model_.robot(event.robot));
     if (event.kind == EventKind::RobotLost) robotLost(event.robot, event.time);
     if (event.kind == EventKind::RobotFound) {

@@ -46,8 +46,7 @@ StatusStrip::StatusStrip(Bench& bench, QWidget* parent)
     row->setContentsMargins(metrics::kPadding, 1, metrics::kPadding, 0);
     row->setSpacing(18);
     row->addWidget(link_);
-    row->addWidget(facts_);
-    row->addStretch(1);
+    row->addWidget(facts_, 1);
     row->addWidget(doctor);
     row->addWidget(keys);
     connect(&bench_, &Bench::changed, this, &StatusStrip::refresh);
