@@ -32,6 +32,7 @@
 #include "ui/shell/system_view.h"
 #include "ui/shell/theme.h"
 #include "ui/shell/translations.h"
+#include "ui/smartdevice/smartdevice_view.h"
 #include "ui/thunderbots/thunderbots_view.h"
 
 namespace {
@@ -132,6 +133,7 @@ int main(int argc, char** argv) {
     systems.add(std::make_unique<ui::ThunderbotsView>(ledger));
     systems.add(std::make_unique<ui::MotionplanView>());
     systems.add(std::make_unique<ui::CoachView>());
+    systems.add(std::make_unique<ui::SmartdeviceView>());
     ui::Bench bench(client, systems, settings);
     ui::StopFilter stopFilter([&bench] { return bench.isActive(); });
     QObject::connect(&stopFilter, &ui::StopFilter::stopAsked, &client,

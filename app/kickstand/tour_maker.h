@@ -71,6 +71,8 @@ void addMotionplanSteps(TourMaker& tour);
 /// A simulated COACH and its boat, then a simulated boat of this program's own, then a fresh radio module;
 /// each is let go again. Nothing is connected before.
 void addCoachSteps(TourMaker& tour);
+/// Smart devices: six simulated boards, driven, watched, stopped, pulled out. Nothing is connected before.
+void addSmartdeviceSteps(TourMaker& tour);
 /// Parameters: read, drafted, asked about, applied, committed, proven by a reboot, compared. Robot 3 is
 /// chosen.
 void addParameterSteps(TourMaker& tour);

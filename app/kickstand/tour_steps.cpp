@@ -40,6 +40,7 @@ class Steps final : public TourMaker {
         leaving();
         addMotionplanSteps(*this);
         addCoachSteps(*this);
+        addSmartdeviceSteps(*this);
         return std::move(*this).steps();
     }
 

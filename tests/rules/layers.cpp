@@ -8,7 +8,7 @@ namespace kickstand::rules {
 namespace {
 
 // The value types of the systems and links that panels show and send: all that ui/ may name below the engine.
-constexpr std::array<std::string_view, 36> kUiValueHeaders{
+constexpr std::array<std::string_view, 40> kUiValueHeaders{
     "core/coach/commands.h",
     "core/coach/snapshot.h",
     "core/coach/traffic.h",
@@ -23,6 +23,10 @@ constexpr std::array<std::string_view, 36> kUiValueHeaders{
     "core/motionplan/wire/movement.h",
     "core/motionplan/wire/nxt_status.h",
     "core/motionplan/wire/plan_text.h",
+    "core/smartdevice/catalogue.h",
+    "core/smartdevice/commands.h",
+    "core/smartdevice/events.h",
+    "core/smartdevice/snapshot.h",
     "core/thunderbots/types.h",
     "core/thunderbots/commands.h",
     "core/thunderbots/snapshot.h",

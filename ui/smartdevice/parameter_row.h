@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/smartdevice/snapshot.h"
+#include "ui/smartdevice/parameter_editor.h"
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+
+namespace kickstand::ui {
+
+class StateLabel;
+
+/// One parameter of a board as a line of a table: whether it is sent by itself, its name, its value, what
+/// sets it, and what became of the last write. Its widgets belong to the table's.
+class ParameterRow final : public QObject {
+    Q_OBJECT
+  public:
+    enum Column { Update, Name, Value, Editor, Verdict, ColumnCount };
+
+    ParameterRow(const smartdevice::ParameterSpec& spec, int number, QGridLayout& grid, QWidget* table);
+
+    /// `waiting`: a write that the engine has not answered is on its way.
+    void refresh(const smartdevice::DeviceState& device, TimePoint now, bool blocked, bool waiting);
+    /// Says that what was asked for was not sent, and why.
+    void showRefusal(const QString& why);
+
+  signals:
+    void writeAsked(int parameter, const kickstand::smartdevice::wire::Value& value);
+    void updateAsked(int parameter, bool on);
+    void refused(const kickstand::Error& error);
+
+  private:
+    void makeValue(QGridLayout& grid, QWidget* table);
+    void makeEditor(QGridLayout& grid, QWidget* table);
+
+    const smartdevice::ParameterSpec spec_;
+    const int number_;
+    QCheckBox* update_;
+    QLabel* name_;
+    QLabel* value_;
+    ParameterEditor* editor_ = nullptr;
+    StateLabel* verdict_;
+    QString refusal_;
+};
+
+}  // namespace kickstand::ui
