@@ -13,6 +13,11 @@ namespace {
 using namespace smartdevice;
 
 constexpr std::size_t kBoards = 6;
+/// Of the default boards in the simulator.
+constexpr int kBattery = 1;
+constexpr int kSwitches = 2;
+constexpr int kLineFollower = 3;
+constexpr std::uint64_t kSamplesToShow = 250;
 
 TourMaker::Done whenBoards(ui::Bench* bench, bool (*holds)(const Snapshot&)) {
     return [bench, holds] {
@@ -58,24 +63,65 @@ bool allTold(const Snapshot& snapshot) {
 
 }  // namespace
 
-void addSmartdeviceSteps(TourMaker& tour) {
+namespace {
+
+void addLooking(TourMaker& tour) {
     ui::Bench* const bench = tour.bench();
     ui::MainWindow* const window = tour.window();
-    tour.add(
-        "boards-connect", [bench] { bench->connectTo(*parseLinkUri("sim:smartdevice")); },
-        whenBoards(bench, allTold));
-    tour.add("boards-write", write(bench, "PolarBear", {{"duty_cycle", 0.4F}, {"current_thresh", 3.0F}}),
+    tour.add("boards-motor", write(bench, "PolarBear", {{"duty_cycle", 0.4F}, {"current_thresh", 3.0F}}),
              whenBoards(bench, [](const Snapshot& snapshot) {
-                 const DeviceState& motor = *boardOf(snapshot, "PolarBear");
-                 return motor.parameters[0].verdict == WriteVerdict::Done;
+                 return boardOf(snapshot, "PolarBear")->parameters[0].verdict == WriteVerdict::Done;
              }));
-    tour.show("board", choose(window, bench, "PolarBear"));
+    tour.add("boards-servos", write(bench, "ServoControl", {{"servo0", 0.4F}, {"servo1", -0.5F}}));
+    tour.add("boards-flag",
+             write(bench, "TeamFlag",
+                   {{"mode", true}, {"blue", true}, {"led1", true}, {"led2", true}, {"led3", true}}),
+             whenBoards(bench, [](const Snapshot& snapshot) {
+                 return boardOf(snapshot, "TeamFlag")->parameters[0].verdict == WriteVerdict::Done;
+             }));
+    tour.add("boards-switches", tour.simulate("switches", kSwitches, 5));
+    // So long that its curves show how it got up to speed.
+    tour.show("boards", tour.goTo("boards-cards"), whenBoards(bench, [](const Snapshot& snapshot) {
+                  return boardOf(snapshot, "PolarBear")->samples > kSamplesToShow;
+              }));
+    tour.add("board-choose", choose(window, bench, "PolarBear"));
+    tour.show("board", tour.goTo("board"));
+}
+
+void addTrouble(TourMaker& tour) {
+    ui::Bench* const bench = tour.bench();
+    ui::MainWindow* const window = tour.window();
     tour.show(
         "boards-stopped", [bench] { bench->client().stop(StopReason::Person); },
-        whenBoards(bench, [](const Snapshot& snapshot) { return snapshot.blocked; }));
+        whenBoards(bench, [](const Snapshot& snapshot) {
+            return snapshot.blocked &&
+                   boardOf(snapshot, "PolarBear")->parameters[0].value == wire::Value(0.0F);
+        }));
     tour.add(
         "boards-re-arm", [bench] { bench->client().rearm(); },
         [bench] { return !bench->client().isStopped(); });
+    tour.add("boards-unplug", tour.simulate("plugged", kLineFollower, 0),
+             whenBoards(bench, [](const Snapshot& snapshot) {
+                 return boardOf(snapshot, "LineFollower")->presence == Presence::Lost;
+             }));
+    tour.add("boards-battery", tour.simulate("battery", kBattery, 10),
+             whenBoards(bench, [](const Snapshot& s) {
+                 return boardOf(s, "BatteryBuzzer")->parameters[0].value == wire::Value(true);
+             }));
+    tour.show("boards-trouble", tour.goTo("boards-cards"));
+    tour.add("boards-simulate", choose(window, bench, "BatteryBuzzer"));
+    tour.show("boards-simulated", tour.goTo("simulated"));
+}
+
+}  // namespace
+
+void addSmartdeviceSteps(TourMaker& tour) {
+    ui::Bench* const bench = tour.bench();
+    tour.add(
+        "boards-connect", [bench] { bench->connectTo(*parseLinkUri("sim:smartdevice")); },
+        whenBoards(bench, allTold));
+    addLooking(tour);
+    addTrouble(tour);
     tour.add(
         "boards-disconnect", [bench] { bench->disconnectAll(); },
         [bench] { return bench->session() == nullptr; });

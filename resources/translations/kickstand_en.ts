@@ -824,6 +824,208 @@
     </message>
 </context>
 <context>
+    <name>DeviceCards</name>
+    <message>
+        <source>10.5 to 12 V is safe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alarm: unsafe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>safe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dial %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tape at the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tape at the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tape in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P %1 I %2 D %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of %1 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forward and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deadband %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 turns/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>duty cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ticks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ticks/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its parameters are being found out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>servo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing near the reader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0x%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LED %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue and yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 of 4 lit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off (%1 chosen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>DeviceWords</name>
     <message>
         <source>unexpected packet delimiter</source>
@@ -4222,6 +4424,297 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
 </context>
 <context>
+    <name>SmartDevices</name>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stale, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>busy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not permitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody answers at %1. Check that it is a board of the kit with its firmware, and its cable; then search again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p99 %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no updates are asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asked for again when it is back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asked for, not granted yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>granted: %1 of %2 parameters, every %3 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SmartdeviceView</name>
+    <message>
+        <source>Smart devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Six simulated smart devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with simulated smart devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motor, a battery, switches, a line follower, servos and a team flag of the PiE kit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smart devices on USB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for smart devices on USB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every serial port that is on USB is asked; opening one resets its board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated smart devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · looking for ports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n live</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stale</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lost</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six virtual boards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>virtual boards: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB plug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrong checksums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressed switches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape under it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dial 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dial 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dial 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint&apos;s speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imbalance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag near it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor&apos;s load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 and 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 and 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>not stopped</source>
@@ -5206,6 +5699,17 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::CardsPanel</name>
+    <message>
+        <source>No board is there yet. Each one gets a card here as it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows all its parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::ChartView</name>
     <message>
         <source>State chart</source>
@@ -5687,6 +6191,145 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     <message>
         <source>Mean</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::DeviceCard</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::DeviceList</name>
+    <message>
+        <source>Boards and ports</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::DevicePanel</name>
+    <message>
+        <source>No board is there yet. Each one is shown here as it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read all once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is written until you re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you call it; kept with its UID, wherever it is plugged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board stops everything. The next value that is written lets it go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time between two updates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often the board is asked to send the checked parameters; 0 for never. The board may grant another time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Updates every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for every parameter that can be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 · UID %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · answers in %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::DevicesPanel</name>
+    <message>
+        <source>Search again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tries every port again at which no board answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is lost: check its cable and power. It is found again by itself, and nothing is written to it then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for serial ports.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no serial port on USB. Plug a board in: it is found by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n live</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7292,6 +7935,62 @@ Double-click or Enter says more.</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::ParameterRow</name>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+STOP writes zero to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is sent by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the board sends %1 again and again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pending</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::ParametersField</name>
     <message>
         <source> %</source>
@@ -8039,6 +8738,73 @@ microcontroller %3, flash %4</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::PlotTools</name>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stands still; recording goes on (P)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes along with the present (F, or double-click)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two cursors and what lies between them (C; Shift+arrows move one, X takes the other)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the &amp;oldest	Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fit what is seen	V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Usual range	U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Span of time that is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel, + and − zoom time; with Ctrl they zoom values</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::RadioPanel</name>
     <message>
         <source>Find the module</source>
@@ -8138,6 +8904,21 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>changed; the module has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::RangeEditor</name>
+    <message>
+        <source>%1, slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pull to set. Double-click for zero. An arrow key changes it by one step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a number and press Enter.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8345,6 +9126,40 @@ microcontroller %3, flash %4</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::SwitchEditor</name>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::TextEditor</name>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes in hexadecimal. Enter sends them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number of type %1. Enter sends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::TimePlot</name>
     <message>
         <source>Curves over time</source>
@@ -8456,43 +9271,7 @@ microcontroller %3, flash %4</source>
 <context>
     <name>kickstand::ui::VoltagesPanel</name>
     <message>
-        <source>%1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 h</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Arrow keys move, plus and minus zoom, Ctrl with them zooms values; P pauses, F follows, C shows cursors, Shift with arrows moves one, X takes the other; M goes to the next mark.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stands still; recording goes on (P)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Goes along with the present (F, or double-click)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Two cursors and what lies between them (C; Shift+arrows move one, X takes the other)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8525,34 +9304,6 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>What is shown of each robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the &amp;oldest	Home</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Fit what is seen	V</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Usual range	U</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Span of time that is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wheel, + and − zoom time; with Ctrl they zoom values</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -9,7 +9,6 @@
 #include "core/smartdevice/sim/simulated_ports.h"
 #include "ui/shell/workbench.h"
 #include "ui/smartdevice/device_list.h"
-#include "ui/thunderbots/thunderbots_view.h"
 
 namespace kickstand::test {
 
@@ -112,7 +111,6 @@ void BoardWindow::connectTo(const char* devices) {
     options.heartbeatLimit = std::chrono::seconds(10);
     engine_ = std::make_unique<Engine>(std::make_unique<BoardLinks>(writes), options);
     client = std::make_unique<ui::EngineClient>(*engine_);
-    systems_.add(std::make_unique<ui::ThunderbotsView>(ledger_));
     systems_.add(std::make_unique<ui::SmartdeviceView>());
     bench = std::make_unique<ui::Bench>(*client, systems_, *settings);
     window = std::make_unique<ui::MainWindow>(*bench, *theme_);

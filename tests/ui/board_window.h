@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "core/engine/engine.h"
-#include "core/ledger/ledger.h"
 #include "core/link/byte_tap.h"
 #include "core/smartdevice/wire/frame.h"
 #include "ui/shell/bench.h"
@@ -74,7 +73,6 @@ class BoardWindow : public testing::Test {
 
   private:
     std::unique_ptr<ui::Theme> theme_ = std::make_unique<ui::Theme>(*settings);
-    Ledger ledger_{":memory:"};
     ui::SystemRegistry systems_;
     std::unique_ptr<Engine> engine_;
 };

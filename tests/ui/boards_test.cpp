@@ -1,7 +1,7 @@
 // The panels of the smart devices in the whole window, on simulated boards: from the editor to the bytes on
 // the wire and back.
 #include <QCheckBox>
-#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -11,6 +11,7 @@
 
 #include "tests/ui/board_window.h"
 #include "ui/shell/panel_dock.h"
+#include "ui/shell/sim_action_control.h"
 #include "ui/smartdevice/device_list.h"
 #include "ui/smartdevice/parameter_editor.h"
 #include "ui/widgets/banner.h"
@@ -268,6 +269,34 @@ TEST_F(BoardsTest, APortWhereNobodyAnswersSaysSoAndIsSearchedAgain) {
         text(QStringLiteral("boardsRemedy")).contains(QStringLiteral("Nobody answers at simulated-0")));
     click(QStringLiteral("boardsSearch"));
     ASSERT_TRUE(waitFor([&] { return line(0).standing.text != QStringLiteral("silent"); }));
+}
+
+TEST_F(BoardsTest, TheChosenBoardIsSimulatedFromOutsideTheWire) {
+    connectTo("BatteryBuzzer,LimitSwitch");
+    bench->goTo(QStringLiteral("simulated"));
+    choose(QStringLiteral("BatteryBuzzer"));
+    const auto control = [&](const char* action, int unit) {
+        return window->findChild<ui::SimActionControl*>(
+            QStringLiteral("sim-%1-%2").arg(QLatin1String(action)).arg(unit));
+    };
+    // Its own quantities, and the faults that all have; those of other kinds are left out.
+    ASSERT_TRUE(
+        waitFor([&] { return control("battery", 0) != nullptr && control("switches", 0) == nullptr; }));
+    for (const char* fault :
+         {"plugged", "reset", "silent", "noise", "checksum", "truncate", "refuse", "imbalance"})
+        EXPECT_NE(control(fault, 0), nullptr) << fault;
+    auto* volts = control("battery", 0)->findChild<QDoubleSpinBox*>();
+    volts->setValue(10.0);
+    ASSERT_TRUE(waitFor([&] { return text(QStringLiteral("value0")) == QStringLiteral("on"); }));
+    control("noise", 0)->findChild<QDoubleSpinBox*>()->setValue(50);
+    ASSERT_TRUE(waitFor([&] { return device(0).line.faults() > 3; }));
+    EXPECT_TRUE(bench->view()->facts(*bench->session()).join(u' ').contains(QStringLiteral("damaged")));
+    control("noise", 0)->findChild<QDoubleSpinBox*>()->setValue(0);
+    choose(QStringLiteral("LimitSwitch"));
+    ASSERT_TRUE(
+        waitFor([&] { return control("switches", 1) != nullptr && control("battery", 1) == nullptr; }));
+    control("silent", 1)->findChildren<QPushButton*>()[1]->click();
+    ASSERT_TRUE(waitFor([&] { return line(1).standing.text.startsWith(QStringLiteral("lost")); }));
 }
 
 TEST_F(BoardsTest, EveryControlHasANameAndTakesTheKeyboard) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "core/engine/describe.h"
+#include "core/engine/describe_stop.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/connector.h"
 #include "ui/shell/doctor_window.h"
@@ -169,12 +170,8 @@ void MainWindow::refreshStop() {
     const bool stopped = bench_.client().isStopped();
     if (stopped) {
         const StopReason reason = bench_.client().stopReason();
-        const QString told =
-            reason == StopReason::LinkLost
-                ? tr("Robots may not have been told: they brake by themselves within 2.2 s. Look before you "
-                     "reach for them.")
-                : tr("Every robot was told to brake; chargers, dribblers and autokick are off. A kick that "
-                     "the dongle already held may still have been given.");
+        const SessionSnapshot* session = bench_.session();
+        const QString told = session == nullptr ? QString() : stoppedText(session->system, reason);
         stopped_->setText(tr("STOPPED \u2014 %1").arg(describe(reason)), told);
     }
     stopped_->setVisible(stopped);

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "core/engine/messages.h"
 #include "ui/widgets/segmented.h"
 #include "ui/widgets/tokens.h"
 
@@ -35,6 +36,16 @@ int decimalsFor(double range) {
 }
 
 }  // namespace
+
+bool hasAction(const SessionSnapshot& session, const SimAction& action, int unit) {
+    bool others = false;
+    for (const SimReading& reading : session.simReadings) {
+        if (reading.action != action.name) continue;
+        if (reading.unit == unit) return true;
+        others = true;
+    }
+    return !others;
+}
 
 SimActionControl::SimActionControl(const SimAction& action,
                                    const std::vector<std::pair<QString, double>>& choices,
@@ -99,7 +110,9 @@ void SimActionControl::addNumber(const SimAction& action, const QString& name) {
     box->setDecimals(measured ? decimalsFor(range) : 0);
     box->setRange(action.lowest * scale_, action.highest * scale_);
     box->setSingleStep(measured && range <= kWholeRange ? (range > kTenthRange ? 0.5 : 0.1) : 1);
-    if (measured) box->setSuffix(u' ' + (share ? QStringLiteral("%") : QString::fromStdString(action.unit)));
+    // A plain number has the unit 1.
+    if (measured && action.unit != "1")
+        box->setSuffix(u' ' + (share ? QStringLiteral("%") : QString::fromStdString(action.unit)));
     box->setKeyboardTracking(false);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFont(numberFont(metrics::kTextSize));

@@ -11,9 +11,17 @@
 class QComboBox;
 class QDoubleSpinBox;
 
+namespace kickstand {
+struct SessionSnapshot;
+}
+
 namespace kickstand::ui {
 
 class Segmented;
+
+/// Whether a unit has what an action changes: not where others show its quantity and this one shows none, as
+/// a motor has no battery.
+bool hasAction(const SessionSnapshot& session, const SimAction& action, int unit);
 
 /// One action of a simulator as a control that suits it: a button, a choice of few, a list with a button, or
 /// a number. It shows the present value of what it changes, and only asks.

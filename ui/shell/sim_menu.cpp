@@ -2,8 +2,10 @@
 
 #include <QInputDialog>
 #include <QMenu>
+#include <algorithm>
 
 #include "ui/shell/bench.h"
+#include "ui/shell/sim_action_control.h"
 #include "ui/shell/system_view.h"
 
 namespace kickstand::ui {
@@ -21,10 +23,13 @@ void SimMenu::fill() {
     menu_->clear();
     const SessionSnapshot* session = bench_.session();
     if (session == nullptr) return;
-    const bool chosen = !bench_.view()->chosenUnits().empty();
-    menu_->addSection(chosen ? tr("The chosen robots") : tr("Choose a robot first"));
+    const std::vector<int> units = bench_.view()->chosenUnits();
+    const bool chosen = !units.empty();
+    menu_->addSection(chosen ? tr("Those that are chosen") : tr("Choose one first"));
     for (const SimAction& action : session->simActions) {
-        if (action.perUnit) addAction(action);
+        const bool has = std::any_of(units.begin(), units.end(),
+                                     [&](int unit) { return hasAction(*session, action, unit); });
+        if (action.perUnit && (has || !chosen)) addAction(action);
     }
     for (QAction* action : menu_->actions())
         action->setEnabled(chosen);
@@ -68,9 +73,11 @@ void SimMenu::perform(const SimAction& action, double value) {
         bench_.submit(SimPerform{action.name, -1, value});
         return;
     }
-    if (bench_.view() == nullptr) return;
-    for (const int unit : bench_.view()->chosenUnits())
-        bench_.submit(SimPerform{action.name, unit, value});
+    const SessionSnapshot* session = bench_.session();
+    if (session == nullptr || bench_.view() == nullptr) return;
+    for (const int unit : bench_.view()->chosenUnits()) {
+        if (hasAction(*session, action, unit)) bench_.submit(SimPerform{action.name, unit, value});
+    }
 }
 
 }  // namespace kickstand::ui

@@ -81,6 +81,11 @@ SimPanel::Shape SimPanel::shapeNow() const {
         if (std::find(session->simUnits.begin(), session->simUnits.end(), unit) != session->simUnits.end())
             shape.units.push_back(unit);
     }
+    for (const int unit : shape.units) {
+        std::vector<bool>& has = shape.has.emplace_back();
+        for (const SimAction& action : shape.actions)
+            has.push_back(hasAction(*session, action, unit));
+    }
     return shape;
 }
 
@@ -106,7 +111,7 @@ void SimPanel::build() {
     notice_->hide();
     const bool simulated = shape_.session != 0;
     hint_->setVisible(shape_.units.empty());
-    hint_->setText(simulated ? tr("Choose robots at the left: each gets a row here.")
+    hint_->setText(simulated ? tr("Choose at the left whom to do something to: each gets a row here.")
                              : tr("There is nothing to do by hand where robots are real."));
     setNote(simulated ? tr("from outside the wire") : QString());
     addUnits();
@@ -119,12 +124,16 @@ void SimPanel::addUnits() {
     if (shape_.units.empty()) return;
     const SystemView& view = *bench().view();
     int column = 1;
-    for (const SimAction& action : shape_.actions) {
-        if (!action.perUnit) continue;
+    for (std::size_t at = 0; at < shape_.actions.size(); ++at) {
+        const SimAction& action = shape_.actions[at];
+        const bool any =
+            std::any_of(shape_.has.begin(), shape_.has.end(), [at](const auto& has) { return has[at]; });
+        if (!action.perUnit || !any) continue;
         grid->addWidget(heading(view.actionText(action), units_), 0, column);
-        int row = 1;
-        for (const int unit : shape_.units)
-            grid->addWidget(add(action, unit), row++, column);
+        for (std::size_t unit = 0; unit < shape_.units.size(); ++unit) {
+            if (shape_.has[unit][at])
+                grid->addWidget(add(action, shape_.units[unit]), static_cast<int>(unit) + 1, column);
+        }
         ++column;
     }
     int row = 1;

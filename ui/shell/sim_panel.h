@@ -14,7 +14,7 @@ namespace kickstand::ui {
 
 class SimActionControl;
 
-/// What a person can do to simulated robots from outside the wire: a row for each robot that is chosen, and
+/// What a person can do to simulated robots from outside the wire: a row for each one that is chosen, and
 /// what concerns all of them. It is made of what the simulator says it can do, whatever the system.
 class SimPanel final : public Panel {
     Q_OBJECT
@@ -27,6 +27,7 @@ class SimPanel final : public Panel {
         quint32 session = 0;
         std::vector<SimAction> actions;
         std::vector<int> units;
+        std::vector<std::vector<bool>> has;  ///< By unit and action.
         bool operator==(const Shape&) const = default;
     };
 

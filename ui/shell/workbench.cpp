@@ -46,7 +46,7 @@ void Workbench::addPanels() {
     addPanel({QStringLiteral("events"), tr("Events"), QStringLiteral("bench-guide.md#events"),
               PanelPlace::Bottom, [](Bench& bench) -> Panel* { return new EventsPanel(bench); }});
     docks_.back()->setMinimumHeight(kLeastEventsHeight);
-    addPanel({QStringLiteral("simulated"), tr("Simulated robots"),
+    addPanel({QStringLiteral("simulated"), tr("Simulation"),
               QStringLiteral("bench-guide.md#simulated-robots"), PanelPlace::Work,
               [](Bench& bench) -> Panel* { return new SimPanel(bench); }});
     simulated_ = docks_.back();

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <map>
 
+#include "ui/smartdevice/cards_panel.h"
 #include "ui/smartdevice/device_choice.h"
 #include "ui/smartdevice/device_panel.h"
 #include "ui/smartdevice/devices_panel.h"
+#include "ui/smartdevice/plots_panel.h"
 
 namespace kickstand::ui {
 
@@ -45,8 +47,12 @@ std::vector<PanelEntry> SmartdeviceView::panels() const {
     return {
         {QStringLiteral("boards-list"), Words::tr("Devices"), help("devices"), PanelPlace::Side,
          [&choice](Bench& bench) -> Panel* { return new DevicesPanel(bench, choice); }},
+        {QStringLiteral("boards-cards"), Words::tr("At a glance"), help("at-a-glance"), PanelPlace::Work,
+         [&choice](Bench& bench) -> Panel* { return new CardsPanel(bench, choice); }},
         {QStringLiteral("board"), Words::tr("Device"), help("one-device"), PanelPlace::Work,
          [&choice](Bench& bench) -> Panel* { return new DevicePanel(bench, choice); }},
+        {QStringLiteral("boards-plots"), Words::tr("Plots"), help("plots"), PanelPlace::Below,
+         [&choice](Bench& bench) -> Panel* { return new PlotsPanel(bench, choice); }},
     };
 }
 
@@ -134,6 +140,7 @@ QString SmartdeviceView::actionText(const SimAction& action) const {
         {"plugged", QT_TRANSLATE_NOOP("SmartdeviceView", "USB plug")},
         {"reset", QT_TRANSLATE_NOOP("SmartdeviceView", "Reset button")},
         {"silent", QT_TRANSLATE_NOOP("SmartdeviceView", "Answers")},
+        {"noise", QT_TRANSLATE_NOOP("SmartdeviceView", "Noise")},
         {"checksum", QT_TRANSLATE_NOOP("SmartdeviceView", "Wrong checksums")},
         {"truncate", QT_TRANSLATE_NOOP("SmartdeviceView", "Cut messages")},
         {"refuse", QT_TRANSLATE_NOOP("SmartdeviceView", "Refused writes")},

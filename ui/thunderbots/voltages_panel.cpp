@@ -12,6 +12,7 @@
 #include <QSettings>
 #include <chrono>
 
+#include "ui/plot/plot_tools.h"
 #include "ui/plot/time_plot.h"
 #include "ui/plot/time_ticks.h"
 #include "ui/shell/bench.h"
@@ -21,7 +22,6 @@
 #include "ui/thunderbots/voltages_trigger.h"
 #include "ui/thunderbots/words.h"
 #include "ui/widgets/bench_style.h"
-#include "ui/widgets/segmented.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -36,15 +36,8 @@ constexpr const char* kSignalsSetting = "voltages/signals";
 constexpr const char* kSpanSetting = "voltages/span_s";
 constexpr SignalMask kFirstSignals = bitOf(Signal::Battery_V) | bitOf(Signal::Capacitor_V);
 constexpr int kFirstSpan_s = 60;
-constexpr std::array kSpans_s{1, 5, 10, 30, 60, 120, 300, 600, 1800, 3600};
 constexpr auto kNumbersInterval = 200ms;
 constexpr auto kMessageTime = 6s;
-
-QString spanText(int span_s) {
-    if (span_s < 120) return VoltagesPanel::tr("%1 s").arg(span_s);
-    if (span_s < 3600) return VoltagesPanel::tr("%1 min").arg(span_s / 60);
-    return VoltagesPanel::tr("%1 h").arg(span_s / 3600);
-}
 
 QPushButton* menuButton(const char* name, QMenu* menu, QWidget* parent) {
     auto* button = new QPushButton(parent);
@@ -115,18 +108,9 @@ QWidget* VoltagesPanel::headerTools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    running_ = new Segmented({tr("Pause"), tr("Follow")}, tools);
-    running_->button(0)->setObjectName(QStringLiteral("plotPause"));
-    running_->button(0)->setToolTip(tr("Stands still; recording goes on (P)"));
-    running_->button(1)->setObjectName(QStringLiteral("plotFollow"));
-    running_->button(1)->setToolTip(tr("Goes along with the present (F, or double-click)"));
-    connect(running_, &Segmented::asked, plot_,
-            [this](int index) { index == 0 ? plot_->pause() : plot_->follow(); });
-    cursorsButton_ = toggle(tr("Cursors"), "plotCursors",
-                            tr("Two cursors and what lies between them (C; Shift+arrows move one, X takes "
-                               "the other)"),
-                            tools);
-    connect(cursorsButton_, &QPushButton::clicked, plot_, &TimePlot::showCursors);
+    auto* common = new PlotTools(*plot_, QStringLiteral("plot"), tools);
+    connect(common, &PlotTools::spanChosen, this,
+            [this](int span_s) { bench().settings().setValue(kSpanSetting, span_s); });
     triggerButton_ =
         toggle(tr("Trigger"), "plotTrigger", tr("Stands still when a curve crosses a level"), tools);
     connect(triggerButton_, &QPushButton::clicked, this, [this](bool on) {
@@ -135,9 +119,7 @@ QWidget* VoltagesPanel::headerTools() {
     });
     row->addWidget(robotsButton(tools));
     row->addWidget(signalsButton(tools));
-    row->addWidget(running_);
-    row->addWidget(spanButton(tools));
-    row->addWidget(cursorsButton_);
+    row->addWidget(common);
     row->addWidget(triggerButton_);
     row->addWidget(saveButton(tools));
     refreshTools();
@@ -195,26 +177,6 @@ QPushButton* VoltagesPanel::signalsButton(QWidget* parent) {
     button->setText(tr("Signals"));
     button->setToolTip(tr("What is shown of each robot"));
     return button;
-}
-
-QPushButton* VoltagesPanel::spanButton(QWidget* parent) {
-    auto* menu = new QMenu(parent);
-    menu->setObjectName(QStringLiteral("plotSpanMenu"));
-    menu->addSection(tr("Time"));
-    for (const int span_s : kSpans_s) {
-        menu->addAction(spanText(span_s), this, [this, span_s] {
-            bench().settings().setValue(kSpanSetting, span_s);
-            plot_->setSpan(std::chrono::seconds(span_s));
-        });
-    }
-    menu->addAction(tr("From the &oldest\tHome"), plot_, &TimePlot::showOldest);
-    menu->addSection(tr("Values"));
-    menu->addAction(tr("&Fit what is seen\tV"), plot_, &TimePlot::fitValues);
-    menu->addAction(tr("&Usual range\tU"), plot_, &TimePlot::usualValues);
-    spanButton_ = menuButton("plotSpan", menu, parent);
-    spanButton_->setAccessibleName(tr("Span of time that is shown"));
-    spanButton_->setToolTip(tr("Wheel, + and \u2212 zoom time; with Ctrl they zoom values"));
-    return spanButton_;
 }
 
 QPushButton* VoltagesPanel::saveButton(QWidget* parent) {
@@ -316,12 +278,7 @@ void VoltagesPanel::refreshNumbers() {
 }
 
 void VoltagesPanel::refreshTools() {
-    if (running_ == nullptr) return;
-    running_->setCurrent(plot_->isFollowing() ? 1 : 0);
-    const auto span_s = std::chrono::round<std::chrono::seconds>(plot_->state().view.span());
-    spanButton_->setText(span_s >= 1s ? spanText(static_cast<int>(span_s.count()))
-                                      : durationText(plot_->state().view.span()));
-    cursorsButton_->setChecked(plot_->state().cursors.isShown());
+    if (robotsButton_ == nullptr) return;
     const QString chosen = choice_.chosen() == 0 ? tr("All heard") : tr("As chosen");
     robotsButton_->setText(pinned_ ? tr("Pinned: %1").arg(std::popcount(*pinned_)) : chosen);
     const std::optional<PlotTrigger>& trigger = plot_->state().trigger;

@@ -13,7 +13,6 @@ class QPushButton;
 namespace kickstand::ui {
 
 class RobotChoice;
-class Segmented;
 class TimePlot;
 class VoltagesTable;
 class VoltagesTrigger;
@@ -39,7 +38,6 @@ class VoltagesPanel final : public Panel {
     void build();
     QPushButton* robotsButton(QWidget* parent);
     QPushButton* signalsButton(QWidget* parent);
-    QPushButton* spanButton(QWidget* parent);
     QPushButton* saveButton(QWidget* parent);
     QPushButton* toggle(const QString& text, const char* name, const QString& tip, QWidget* parent);
 
@@ -65,10 +63,7 @@ class VoltagesPanel final : public Panel {
     QLabel* message_;
     QMenu* robotsMenu_ = nullptr;
     QPushButton* robotsButton_ = nullptr;
-    QPushButton* spanButton_ = nullptr;
-    QPushButton* cursorsButton_ = nullptr;
     QPushButton* triggerButton_ = nullptr;
-    Segmented* running_ = nullptr;
 
     std::optional<thunderbots::RobotMask> pinned_;
     SignalMask signals_;

@@ -207,6 +207,10 @@ void BoardSim::send(const wire::Message& message) {
     wire::FrameBytes frame = wire::encodeFrame(uid_.dialect, message);
     // The last byte but the delimiter is the checksum, or stands for it.
     if (happens(faults_.checksum)) frame.span()[frame.size() - 2] ^= 0x55;
+    if (happens(faults_.noise)) {
+        const auto bit = static_cast<std::uint8_t>(1U << random_() % 8);
+        frame.span()[random_() % frame.size()] ^= bit;
+    }
     if (happens(faults_.truncate)) frame.resize(frame.size() / 2);
     listener_->deviceSent(frame.view());
 }

@@ -18,6 +18,7 @@ struct BoardFaults {
     double checksum = 0;  ///< Probability, 0-1, that a message's checksum is wrong.
     double truncate = 0;  ///< Probability, 0-1, that a frame breaks off.
     double refuse = 0;    ///< Probability, 0-1, that it leaves a written value.
+    double noise = 0;     ///< Probability, 0-1, that a bit of a frame is turned, wherever it is.
 };
 
 /// What a test may want to know about a board.

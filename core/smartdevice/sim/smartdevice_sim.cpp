@@ -70,9 +70,9 @@ struct FaultAction {
     const char* name;
     double BoardFaults::*probability;
 };
-constexpr std::array kFaults{FaultAction{"checksum", &BoardFaults::checksum},
-                             FaultAction{"truncate", &BoardFaults::truncate},
-                             FaultAction{"refuse", &BoardFaults::refuse}};
+constexpr std::array kFaults{
+    FaultAction{"noise", &BoardFaults::noise}, FaultAction{"checksum", &BoardFaults::checksum},
+    FaultAction{"truncate", &BoardFaults::truncate}, FaultAction{"refuse", &BoardFaults::refuse}};
 
 }  // namespace
 
