@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace kickstand::smartdevice {
@@ -30,6 +31,24 @@ Error errorOf(Errc code, std::string subject = {}) {
     Error error;
     error.code = code;
     error.subject = std::move(subject);
+    return error;
+}
+
+bool isWhole(double number) {
+    return number == std::trunc(number) && std::abs(number) < 1e15;
+}
+
+/// A value past its bounds. Bounds that are no whole numbers, or only one, are told in words.
+Error outside(const ParameterSpec& spec, const wire::Value& value) {
+    Error error = errorOf(Errc::OutOfRange, spec.name);
+    error.detail = wire::toText(value);
+    if (spec.lowest && spec.highest && isWhole(*spec.lowest) && isWhole(*spec.highest)) {
+        error.lowest = static_cast<std::int64_t>(*spec.lowest);
+        error.highest = static_cast<std::int64_t>(*spec.highest);
+        return error;
+    }
+    if (spec.lowest) error.detail += ", at least " + wire::toText(wire::Value(*spec.lowest));
+    if (spec.highest) error.detail += ", at most " + wire::toText(wire::Value(*spec.highest));
     return error;
 }
 
@@ -267,14 +286,10 @@ Result<void> Device::checkWrite(const WriteValues& command) const {
         if (wire::typeOf(value) != spec.type || wire::bytesOf(value).size() != spec.width())
             return fail(Errc::BadArgument, spec.name, std::string("it is a ") + wire::name(spec.type));
         const auto number = wire::toNumber(value);
-        if (!number ||
-            !((spec.lowest && *number < *spec.lowest) || (spec.highest && *number > *spec.highest)))
-            continue;
-        Error error = errorOf(Errc::OutOfRange, spec.name);
-        error.detail = wire::toText(value);
-        if (spec.lowest) error.lowest = static_cast<std::int64_t>(*spec.lowest);
-        if (spec.highest) error.highest = static_cast<std::int64_t>(*spec.highest);
-        return fail(std::move(error));
+        if (!number) continue;
+        if (!std::isfinite(*number)) return fail(Errc::BadArgument, spec.name, wire::toText(value));
+        if ((spec.lowest && *number < *spec.lowest) || (spec.highest && *number > *spec.highest))
+            return fail(outside(spec, value));
     }
     return {};
 }

@@ -910,14 +910,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>forward and back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>deadband %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>position</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1022,6 +1014,10 @@
     </message>
     <message>
         <source>off (%1 chosen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deadband</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4713,6 +4709,18 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>Board %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>At a glance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>State</name>
@@ -4821,6 +4829,41 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>radio 1 failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StopWords</name>
+    <message>
+        <source>Robots may not have been told: they brake by themselves within 2.2 s. Look before you reach for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every robot was told to brake; chargers, dribblers and autokick are off. A kick that the dongle already held may still have been given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot may not have been told: it goes on with its plan. Use its own button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot was told to stop its plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The boat may not have been told: its own timer stops it a second after the last velocity that it heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero velocity is sent in the next slot, and held until you re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boards may not have been told. A PolarBear disables itself when its heartbeats stop; of others nobody knows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero was written to every duty cycle and speed, and every board was disabled. Positions were left alone.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7888,14 +7931,6 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robots may not have been told: they brake by themselves within 2.2 s. Look before you reach for them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Every robot was told to brake; chargers, dribblers and autokick are off. A kick that the dongle already held may still have been given.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>STOPPED — %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8738,6 +8773,25 @@ microcontroller %3, flash %4</source>
     </message>
 </context>
 <context>
+    <name>kickstand::ui::PlotChoice</name>
+    <message>
+        <source>on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters that are plotted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kickstand::ui::PlotTools</name>
     <message>
         <source>%1 s</source>
@@ -8801,6 +8855,101 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>Wheel, + and − zoom time; with Ctrl they zoom values</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::PlotsPanel</name>
+    <message>
+        <source>Curves of the boards&apos; parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow keys move, plus and minus zoom, Ctrl with them zooms values; P pauses, F follows, C shows cursors, Shift with arrows moves one, X takes the other; M goes to the next mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boards.png</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Values as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boards.csv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is seen, as a picture or as numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>re-armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-armed after STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reported error %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No board is there yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the parameters at the left that are to be plotted.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8990,14 +9139,6 @@ microcontroller %3, flash %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The chosen robots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a robot first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9009,13 +9150,17 @@ microcontroller %3, flash %4</source>
         <source>%1 (%2), %3 to %4</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Those that are chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one first</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::SimPanel</name>
-    <message>
-        <source>Choose robots at the left: each gets a row here.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>There is nothing to do by hand where robots are real.</source>
         <translation type="unfinished"></translation>
@@ -9026,6 +9171,10 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose at the left whom to do something to: each gets a row here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9614,7 +9763,7 @@ microcontroller %3, flash %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulated robots</source>
+        <source>Simulation</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "tests/session/smartdevice_rig.h"
 
 namespace kickstand::smartdevice::testing {
@@ -166,6 +168,13 @@ TEST_F(SmartDeviceTest, WhatMakesNoSenseIsNotSent) {
     EXPECT_EQ(codeOf(WriteValues{bear, {{11, wire::Value(1.0F)}}}), Errc::BadArgument) << "read-only";
     EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(true)}}}), Errc::BadArgument) << "another type";
     EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(1.5F)}}}), Errc::OutOfRange);
+    EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(std::nanf(""))}}}), Errc::BadArgument);
+    EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(HUGE_VALF)}}}), Errc::BadArgument);
+    // Without an upper bound the lower one is told in words.
+    const auto current = perform(WriteValues{bear, {{9, wire::Value(-1.0F)}}});
+    ASSERT_FALSE(current);
+    EXPECT_EQ(current.error().code, Errc::OutOfRange);
+    EXPECT_EQ(current.error().detail, "-1, at least 0");
     EXPECT_EQ(codeOf(WriteValues{bear, {{14, wire::Value(1.0F)}}}), Errc::BadArgument) << "no such parameter";
     EXPECT_EQ(codeOf(WriteValues{bear, {{-1, wire::Value(1.0F)}}}), Errc::BadArgument);
     EXPECT_EQ(codeOf(WriteValues{bear, {}}), Errc::BadArgument);

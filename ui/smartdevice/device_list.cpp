@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <utility>
 
 #include "ui/smartdevice/device_icon.h"
 #include "ui/widgets/tokens.h"
@@ -126,9 +127,10 @@ void DeviceList::setLines(std::vector<DeviceLine> lines) {
 }
 
 void DeviceList::setChosen(int device) {
-    // A port stays current while a person looks at it.
     const DeviceLine* now = currentLine();
-    if (now != nullptr && (now->device < 0 || now->device == device)) return;
+    const bool same = std::exchange(chosen_, device) == device;
+    // A port stays current while a person looks at it.
+    if (now != nullptr && (now->device == device || (same && now->device < 0))) return;
     const QSignalBlocker quiet(this);
     for (int row = 0; row < count(); ++row) {
         if (lines_[static_cast<std::size_t>(row)].device == device && device >= 0) setCurrentRow(row);

@@ -41,6 +41,7 @@ class DeviceList final : public QListWidget {
 
   private:
     std::vector<DeviceLine> lines_;
+    int chosen_ = -1;
 };
 
 }  // namespace kickstand::ui

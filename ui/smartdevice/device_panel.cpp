@@ -25,7 +25,9 @@ using namespace smartdevice;
 namespace {
 
 constexpr int kNameSize = 16;
+/// What the field of a dialect holds.
 constexpr int kLongestDelay_ms = 255;
+constexpr int kLongestHibikeDelay_ms = 65535;
 constexpr int kFirstDelay_ms = 40;
 
 QLabel* small(const char* name, QWidget* parent) {
@@ -316,6 +318,8 @@ void DevicePanel::refreshHead(const DeviceState& device) {
     delay_->setEnabled(there);
     if (!delay_->hasFocus()) {
         const QSignalBlocker quiet(delay_);
+        const bool hibike = device.uid.dialect == wire::Dialect::Hibike;
+        delay_->setMaximum(hibike ? kLongestHibikeDelay_ms : kLongestDelay_ms);
         delay_->setValue(device.wantedDelay_ms);
     }
     const QString granted = updatesText(device);
