@@ -110,7 +110,9 @@ void addTrouble(TourMaker& tour) {
              }));
     tour.show("boards-trouble", tour.goTo("boards-cards"));
     tour.add("boards-simulate", choose(window, bench, "BatteryBuzzer"));
-    tour.show("boards-simulated", tour.goTo("simulated"));
+    tour.show("boards-simulated", tour.goTo("simulated"), [window] {
+        return window->findChild<QWidget*>(QStringLiteral("sim-battery-%1").arg(kBattery)) != nullptr;
+    });
 }
 
 }  // namespace

@@ -130,7 +130,9 @@ TEST_F(BoardsTest, WhatIsNoValueOrOutOfRangeIsSaidAndNotSent) {
     type(9, QStringLiteral("-1"));
     ASSERT_TRUE(waitFor([&] { return !client->hasPending(); }));
     ASSERT_TRUE(waitFor([&] { return verdict(9) == QStringLiteral("not sent"); }));
-    EXPECT_TRUE(text(QStringLiteral("boardNotice")).contains(QStringLiteral("at least 0")));
+    EXPECT_TRUE(waitFor([&] {
+        return text(QStringLiteral("boardNotice")).contains(QStringLiteral("at least 0"));
+    })) << text(QStringLiteral("boardNotice")).toStdString();
     EXPECT_TRUE(writes.messages().empty());
     type(9, QStringLiteral("2"));
     ASSERT_TRUE(waitForWrite("14 06 00 02 00 00 00 40 50"));
