@@ -4,6 +4,7 @@
 
 #include "app/kickstand/tour_maker.h"
 #include "ui/plot/time_plot.h"
+#include "ui/thunderbots/voltages_panel.h"
 
 namespace kickstand::app {
 
@@ -55,7 +56,7 @@ void addTrigger(TourMaker& tour) {
         window->findChild<QAbstractButton*>(QStringLiteral("triggerArm"))->click();
     });
     tour.show("voltages-trigger", tour.simulate("battery", kRobot, kAfter_V),
-              [window] { return !window->findChild<ui::TimePlot*>()->isFollowing(); });
+              [window] { return !window->findChild<ui::VoltagesPanel*>()->plot().isFollowing(); });
     tour.add("trigger-off", tour.press("plotTrigger"));
     tour.add("battery-full-again", tour.simulate("battery", kRobot, kBefore_V), batteryIs(tour, false));
 }
