@@ -32,8 +32,6 @@ constexpr ErrorText kInput[] = {
      QT_TRANSLATE_NOOP("Error", "Choose a value from {lowest} to {highest}.")},
     {Errc::OutOfRange, QT_TRANSLATE_NOOP("Error", "{subject} is out of range: {detail}."),
      QT_TRANSLATE_NOOP("Error", "Choose a value within its range.")},
-    {Errc::OutOfRange, QT_TRANSLATE_NOOP("Error", "{subject}[ of robot {robot}] is out of range: {detail}."),
-     QT_TRANSLATE_NOOP("Error", "Choose one within its range.")},
     {Errc::OutOfRange, QT_TRANSLATE_NOOP("Error", "A value is out of range[: {got}]."),
      QT_TRANSLATE_NOOP("Error", "Choose one within its range[: {lowest} to {highest}].")},
 
