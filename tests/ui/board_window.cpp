@@ -56,7 +56,7 @@ class BoardLinks final : public LinkProvider {
         provided.keepAlive = sim;
         return provided;
     }
-    void discover(Scheduler& scheduler, std::function<void(std::vector<FoundDevice>)> found) override {
+    void discover(Scheduler& scheduler, std::function<void(FoundHardware)> found) override {
         scheduler.post([found = std::move(found)] { found({}); });
     }
 
