@@ -108,16 +108,16 @@ TEST(DeviceFinder, LooksOnAThreadOfItsOwnAndAnswersOnTheSchedulers) {
         lookedOn = std::this_thread::get_id();
         FoundDevice device;
         device.info.port = "1-2";
-        return std::vector{device};
+        return FoundHardware{.devices = {device}, .ports = {}};
     });
     for (int round = 0; round < 3; ++round) {
-        std::promise<std::vector<FoundDevice>> answer;
+        std::promise<FoundHardware> answer;
         bool onScheduler = false;
-        finder.find(scheduler, [&](std::vector<FoundDevice> devices) {
+        finder.find(scheduler, [&](FoundHardware found) {
             onScheduler = scheduler.isCurrent();
-            answer.set_value(std::move(devices));
+            answer.set_value(std::move(found));
         });
-        const auto devices = answer.get_future().get();
+        const auto devices = answer.get_future().get().devices;
         EXPECT_TRUE(onScheduler);
         EXPECT_NE(lookedOn, std::this_thread::get_id());
         ASSERT_EQ(devices.size(), 1U);
@@ -130,7 +130,7 @@ TEST(DeviceFinder, EndsWithoutEverHavingLooked) {
     {
         DeviceFinder finder([&looked] {
             looked = true;
-            return std::vector<FoundDevice>{};
+            return FoundHardware{};
         });
     }
     EXPECT_FALSE(looked);
