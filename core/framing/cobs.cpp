@@ -4,9 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include "core/framing/byte_places.h"
 
 namespace kickstand {
 namespace {
@@ -14,44 +12,13 @@ namespace {
 /// The code of a block that no zero follows.
 constexpr std::uint8_t kFullCode = 0xFF;
 constexpr std::size_t kFullBlock = kFullCode - 1;
-/// How many bytes are looked at together.
-constexpr std::size_t kStripe = 64;
 /// So many codes are written or followed before it is asked whether that was all: more than most messages
 /// have, since a branch that is foretold wrongly costs more than some codes for nothing.
 constexpr int kAtOnce = 6;
 
-#if defined(__SSE2__)
-
-/// A bit for each of the sixteen bytes that is zero.
-std::uint64_t zerosOf16(const std::uint8_t* bytes) noexcept {
-    const __m128i loaded = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
-    return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(loaded, _mm_setzero_si128())));
-}
-
-#else
-
-std::uint64_t zerosOf16(const std::uint8_t* bytes) noexcept {
-    std::uint64_t zeros = 0;
-    for (unsigned i = 0; i < 16; ++i)
-        zeros |= std::uint64_t{bytes[i] == 0} << i;
-    return zeros;
-}
-
-#endif
-
 /// A bit for each byte that is zero; at most a stripe of them.
 std::uint64_t zerosOf(const std::uint8_t* bytes, std::size_t size) noexcept {
-    if (size == kStripe) {
-        return zerosOf16(bytes) | zerosOf16(bytes + 16) << 16 | zerosOf16(bytes + 32) << 32 |
-               zerosOf16(bytes + 48) << 48;
-    }
-    std::uint64_t zeros = 0;
-    unsigned i = 0;
-    for (; i + 16 <= size; i += 16)
-        zeros |= zerosOf16(bytes + i) << i;
-    for (; i < size; ++i)
-        zeros |= std::uint64_t{bytes[i] == 0} << i;
-    return zeros;
+    return placesOf(bytes, size, 0);
 }
 
 bool hasZero(ByteView bytes) noexcept {

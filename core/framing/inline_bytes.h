@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/base/bytes.h"
 
@@ -14,7 +15,17 @@ namespace kickstand {
 template <std::size_t capacity>
 class InlineBytes {
   public:
-    constexpr InlineBytes() noexcept = default;
+    /// Empty. What is not held is not written to either: to clear it costs more than most codecs do.
+    constexpr InlineBytes() noexcept {
+        if (std::is_constant_evaluated()) bytes_.fill(0);
+    }
+    constexpr InlineBytes(const InlineBytes& other) noexcept : InlineBytes() { append(other.view()); }
+    constexpr InlineBytes& operator=(const InlineBytes& other) noexcept {
+        if (this == &other) return *this;
+        clear();
+        append(other.view());
+        return *this;
+    }
 
     static constexpr std::size_t maxSize() noexcept { return capacity; }
     constexpr std::size_t size() const noexcept { return size_; }
@@ -28,6 +39,11 @@ class InlineBytes {
     constexpr ByteView view() const noexcept { return {bytes_.data(), size_}; }
     /// The same, to be written into.
     constexpr ByteSpan span() noexcept { return {bytes_.data(), size_}; }
+
+    /// The room behind them, to be written into before take() counts it in.
+    constexpr ByteSpan room() noexcept { return ByteSpan(bytes_).subspan(size_); }
+    /// Counts in the first bytes of room(), of which there are so many.
+    constexpr void take(std::size_t count) noexcept { size_ += count; }
 
     /// Appends all of `more`, or nothing and gives false where it does not fit.
     constexpr bool append(ByteView more) noexcept {
@@ -53,7 +69,7 @@ class InlineBytes {
     }
 
   private:
-    std::array<std::uint8_t, capacity> bytes_{};
+    std::array<std::uint8_t, capacity> bytes_;
     std::size_t size_ = 0;
 };
 

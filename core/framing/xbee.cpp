@@ -1,5 +1,10 @@
 #include "core/framing/xbee.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "core/framing/byte_places.h"
 #include "core/framing/byte_sum.h"
 
 namespace kickstand::xbee {
@@ -104,13 +109,69 @@ constexpr std::size_t fewestBytes(std::uint8_t type) noexcept {
     return 1;
 }
 
-void putEscaped(LineFrame& line, std::uint8_t byte) noexcept {
-    const bool special = byte == kDelimiter || byte == kEscape || byte == kXon || byte == kXoff;
-    if (special) {
-        line.append(kEscape);
+bool isSpecial(std::uint8_t byte) noexcept {
+    return byte == kDelimiter || byte == kEscape || byte == kXon || byte == kXoff;
+}
+
+std::uint8_t* putEscaped(std::uint8_t* out, std::uint8_t byte) noexcept {
+    if (isSpecial(byte)) {
+        *out++ = kEscape;
         byte = static_cast<std::uint8_t>(byte ^ kEscapeMask);
     }
-    line.append(byte);
+    *out++ = byte;
+    return out;
+}
+
+/// Puts `size` bytes there, escaped, and gives the place behind them. Whole stripes are read and written,
+/// which costs less than to count: behind both there must be room for one.
+std::uint8_t* putEscaped(std::uint8_t* out, const std::uint8_t* bytes, std::size_t size) noexcept {
+    std::size_t at = 0;
+    for (std::size_t stripe = 0; stripe < size; stripe += kStripe) {
+        const std::size_t end = std::min(size, stripe + kStripe);
+        const std::uint8_t* const here = bytes + stripe;
+        std::uint64_t specials = placesOf(here, kDelimiter) | placesOf(here, kEscape) | placesOf(here, kXon) |
+                                 placesOf(here, kXoff);
+        if (end - stripe < kStripe) specials &= (std::uint64_t{1} << (end - stripe)) - 1;
+        for (; specials != 0; specials &= specials - 1) {
+            const std::size_t found = stripe + static_cast<std::size_t>(std::countr_zero(specials));
+            std::memcpy(out, bytes + at, kStripe);
+            out += found - at;
+            *out++ = kEscape;
+            *out++ = static_cast<std::uint8_t>(bytes[found] ^ kEscapeMask);
+            at = found + 1;
+        }
+        std::memcpy(out, bytes + at, kStripe);
+        out += end - at;
+        at = end;
+    }
+    return out;
+}
+
+LineFrame wrapPlain(ByteView data) noexcept {
+    LineFrame line;
+    std::uint8_t* const out = line.room().data();
+    out[0] = kDelimiter;
+    out[1] = 0;
+    out[2] = static_cast<std::uint8_t>(data.size());
+    std::memcpy(out + 3, data.data(), data.size());
+    out[3 + data.size()] = checksum(data);
+    line.take(3 + data.size() + 1);
+    return line;
+}
+
+LineFrame wrapEscaped(ByteView data) noexcept {
+    LineFrame line;
+    alignas(kStripe) std::array<std::uint8_t, kMaxFrameData + kStripe> bytes;
+    std::memcpy(bytes.data(), data.data(), data.size());
+    std::uint8_t* const begin = line.room().data();
+    std::uint8_t* out = begin;
+    *out++ = kDelimiter;
+    *out++ = 0;
+    out = putEscaped(out, static_cast<std::uint8_t>(data.size()));
+    out = putEscaped(out, bytes.data(), data.size());
+    out = putEscaped(out, checksum(data));
+    line.take(static_cast<std::size_t>(out - begin));
+    return line;
 }
 
 }  // namespace
@@ -143,23 +204,8 @@ FrameData encodeFrame(const Frame& frame) {
 }
 
 LineFrame wrapFrame(ByteView data, ApiMode mode) noexcept {
-    LineFrame line;
-    if (data.empty() || data.size() > kMaxFrameData) return line;
-    line.append(kDelimiter);
-    const std::array<std::uint8_t, 2> length{0, static_cast<std::uint8_t>(data.size())};
-    const std::uint8_t check = checksum(data);
-    if (mode == ApiMode::Plain) {
-        line.append(length);
-        line.append(data);
-        line.append(check);
-        return line;
-    }
-    for (const std::uint8_t byte : length)
-        putEscaped(line, byte);
-    for (const std::uint8_t byte : data)
-        putEscaped(line, byte);
-    putEscaped(line, check);
-    return line;
+    if (data.empty() || data.size() > kMaxFrameData) return {};
+    return mode == ApiMode::Plain ? wrapPlain(data) : wrapEscaped(data);
 }
 
 }  // namespace kickstand::xbee

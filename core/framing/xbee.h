@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/base/bytes.h"
+#include "core/framing/byte_places.h"
 #include "core/framing/inline_bytes.h"
 
 /// API frames of XBee 802.15.4 modules: what stands between a program and its radio module on the serial
@@ -95,8 +96,9 @@ using Frame = std::variant<OtherFrame, Tx16, Rx16, TxStatus, AtCommand, AtRespon
 
 /// The data of a frame: what stands between its length and its checksum.
 using FrameData = InlineBytes<kMaxFrameData>;
-/// A whole frame as it goes over the line, with room for every byte escaped.
-using LineFrame = InlineBytes<1 + 2 * (2 + kMaxFrameData + 1)>;
+/// A whole frame as it goes over the line, with room for every byte escaped, and for a stripe that is copied
+/// without counting.
+using LineFrame = InlineBytes<1 + 2 * (2 + kMaxFrameData + 1) + kStripe>;
 
 /// Takes the data of a frame apart; nothing where it is too short for its kind, or empty. Never allocates.
 /// Any thread.

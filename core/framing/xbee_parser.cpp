@@ -1,8 +1,10 @@
 #include "core/framing/xbee_parser.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
+#include "core/framing/byte_places.h"
 #include "core/framing/byte_sum.h"
 
 namespace kickstand::xbee {
@@ -14,6 +16,53 @@ std::size_t findDelimiter(ByteView bytes) noexcept {
     const void* found = std::memchr(bytes.data(), kDelimiter, bytes.size());
     if (found == nullptr) return bytes.size();
     return static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - bytes.data());
+}
+
+/// How many bytes there are before the first that API mode 2 marks.
+std::size_t plainRun(ByteView bytes) noexcept {
+    for (std::size_t i = 0; i < bytes.size(); i += kStripe) {
+        const std::size_t here = std::min(kStripe, bytes.size() - i);
+        const std::uint64_t marked =
+            placesOf(bytes.data() + i, here, kDelimiter) | placesOf(bytes.data() + i, here, kEscape);
+        if (marked != 0) return i + static_cast<std::size_t>(std::countr_zero(marked));
+    }
+    return bytes.size();
+}
+
+/// How far unescape() may read.
+constexpr std::size_t kUnescapeReach = 3 * kStripe;
+
+/// Makes `size` bytes of a line in API mode 2, and gives how many it took; 0 where they are not done after
+/// two stripes, or are no data. Whole stripes are copied, which costs less than to count: behind `out` there
+/// must be room for one.
+std::size_t unescape(const std::uint8_t* line, std::size_t size, std::uint8_t* out) noexcept {
+    std::size_t at = 0;
+    std::size_t written = 0;
+    for (std::size_t stripe = 0; stripe < 2 * kStripe; stripe += kStripe) {
+        const std::uint64_t delimiters = placesOf(line + stripe, kDelimiter);
+        std::uint64_t escapes = placesOf(line + stripe, kEscape);
+        for (bool more = true; more; escapes &= escapes - 1) {
+            more = escapes != 0;
+            const std::size_t stop =
+                stripe + (more ? static_cast<std::size_t>(std::countr_zero(escapes)) : kStripe);
+            // The last byte of the stripe was an escape; any other that is escaped itself is damage.
+            if (stop < at && !more) break;
+            if (stop < at) return 0;
+            std::memcpy(out + written, line + at, kStripe);
+            if (written + stop - at >= size) {
+                at += size - written;
+                const std::uint64_t taken = (std::uint64_t{2} << (at - 1 - stripe)) - 1;
+                return (delimiters & taken) == 0 ? at : 0;
+            }
+            written += stop - at;
+            at = stop;
+            if (!more) break;
+            out[written++] = static_cast<std::uint8_t>(line[at + 1] ^ kEscapeMask);
+            at += 2;
+        }
+        if (delimiters != 0) return 0;
+    }
+    return 0;
 }
 
 bool isLength(std::size_t length) noexcept {
@@ -116,36 +165,57 @@ ByteView Parser::nextPlain(ByteView& input) noexcept {
     return data;
 }
 
+/// A frame that is whole in `input`, with so much behind it that whole stripes can be read: taken apart in
+/// one go. Empty where it is anything else, and then nothing is taken.
+ByteView Parser::nextWholeEscaped(ByteView& input) noexcept {
+    if (input.size() < kHeader + kUnescapeReach || input[0] != kDelimiter || input[1] != 0) return {};
+    const std::size_t length = input[2];
+    if (!isLength(length)) return {};
+    const std::size_t took = unescape(input.data() + kHeader, length + 1, whole_.data());
+    if (took == 0 || !isWhole({whole_.data(), length + 1})) return {};
+    ++counters_.frames;
+    input = input.subspan(kHeader + took);
+    return {whole_.data(), length};
+}
+
 ByteView Parser::nextEscaped(ByteView& input) noexcept {
     if (released_ > 0) held_.clear();
     released_ = 0;
+    if (held_.empty()) {
+        if (const ByteView data = nextWholeEscaped(input); !data.empty()) return data;
+    }
     while (!input.empty()) {
-        std::uint8_t byte = input[0];
-        input = input.subspan(1);
-        if (byte == kDelimiter) {
-            if (!held_.empty()) {
-                ++counters_.brokenOff;
-                counters_.skipped += held_.size();
-            }
-            held_.clear();
-            held_.append(byte);
+        if (input[0] == kDelimiter) {
+            beginHeld();
+            input = input.subspan(1);
+        } else if (held_.empty()) {
+            const std::size_t junk = findDelimiter(input);
+            counters_.skipped += junk;
+            input = input.subspan(junk);
+        } else if (escaping_) {
+            held_.append(static_cast<std::uint8_t>(input[0] ^ kEscapeMask));
             escaping_ = false;
-            continue;
-        }
-        if (held_.empty()) {
-            ++counters_.skipped;
-            continue;
-        }
-        if (byte == kEscape && !escaping_) {
+            input = input.subspan(1);
+        } else if (input[0] == kEscape) {
             escaping_ = true;
-            continue;
+            input = input.subspan(1);
+        } else {
+            const std::size_t run = plainRun(input.first(std::min(missing(), input.size())));
+            held_.append(input.first(run));
+            input = input.subspan(run);
         }
-        if (escaping_) byte = static_cast<std::uint8_t>(byte ^ kEscapeMask);
-        escaping_ = false;
-        held_.append(byte);
         if (const ByteView data = takeHeld(held_.size()); !data.empty()) return data;
     }
     return {};
+}
+
+/// A delimiter: what was in hold is broken off.
+void Parser::beginHeld() noexcept {
+    if (!held_.empty()) ++counters_.brokenOff;
+    counters_.skipped += held_.size();
+    held_.clear();
+    held_.append(kDelimiter);
+    escaping_ = false;
 }
 
 /// The data of the frame in hold, once it is whole and right. Drops it where it is wrong.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "core/framing/byte_places.h"
 #include "core/framing/xbee.h"
 
 namespace kickstand::xbee {
@@ -41,6 +43,8 @@ class Parser {
 
     ByteView nextPlain(ByteView& input) noexcept;
     ByteView nextEscaped(ByteView& input) noexcept;
+    ByteView nextWholeEscaped(ByteView& input) noexcept;
+    void beginHeld() noexcept;
     ByteView scan(ByteView input, std::size_t& used) noexcept;
     ByteView takeHeld(std::size_t size) noexcept;
     void dropHeld(std::size_t count) noexcept;
@@ -48,7 +52,9 @@ class Parser {
 
     ApiMode mode_;
     InlineBytes<kMaxFrame> held_;  ///< The beginning of a frame, delimiter first; in mode 2 unescaped.
-    std::size_t released_ = 0;     ///< So much of it was given out by the last call.
+    /// A frame that came in one piece, unescaped, and what was copied with it.
+    alignas(kStripe) std::array<std::uint8_t, kMaxFrameData + 1 + kStripe> whole_;
+    std::size_t released_ = 0;  ///< So much of it was given out by the last call.
     bool escaping_ = false;
     ParserCounters counters_;
 };

@@ -42,5 +42,19 @@ TEST(InlineBytes, ComparesWhatItHoldsAndNotWhatItHeld) {
     EXPECT_TRUE(std::equal(a.begin(), a.end(), a.view().begin(), a.view().end()));
 }
 
+TEST(InlineBytes, WhatIsWrittenIntoItsRoomIsCountedIn) {
+    Four bytes;
+    bytes.append(std::uint8_t{1});
+    ASSERT_EQ(bytes.room().size(), 3U);
+    bytes.room()[0] = 2;
+    bytes.take(1);
+    EXPECT_EQ(bytes.size(), 2U);
+    EXPECT_EQ(bytes[1], 2);
+    const Four copy = bytes;
+    EXPECT_EQ(copy, bytes);
+    bytes = copy;
+    EXPECT_EQ(bytes.size(), 2U);
+}
+
 }  // namespace
 }  // namespace kickstand

@@ -1,5 +1,6 @@
 #include "core/framing/xbee.h"
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -135,6 +136,47 @@ TEST_P(XbeeParser, PiecesMakeNoDifferenceToDamage) {
         Parser parser(GetParam());
         EXPECT_EQ(framesIn(parser, stream, piece), expected) << piece;
         EXPECT_EQ(parser.counters(), whole.counters()) << piece;
+    }
+}
+
+/// Long frames full of bytes that API mode 2 marks, damaged by more of them: what is read in one go and what
+/// is read byte by byte must not differ.
+TEST_P(XbeeParser, MarkedBytesEverywhereMakeNoDifference) {
+    constexpr std::array<std::uint8_t, 6> kMarked{kDelimiter, kEscape, 0x11, 0x13, 0x5D, 0x5E};
+    std::mt19937 random(13);
+    const auto marked = [&random, &kMarked] { return kMarked.at(random() % kMarked.size()); };
+    Bytes stream;
+    for (int i = 0; i < 3000; ++i) {
+        const unsigned rarity = 1U << random() % 8;
+        Bytes data(1 + random() % kMaxFrameData);
+        for (auto& byte : data)
+            byte = random() % rarity == 0 ? marked() : static_cast<std::uint8_t>(random());
+        const LineFrame line = wrapFrame(data, GetParam());
+        stream.insert(stream.end(), line.begin(), line.end());
+        if (random() % 4 == 0) stream[stream.size() - 1 - random() % line.size()] = marked();
+    }
+    Parser whole(GetParam());
+    const auto expected = framesIn(whole, stream, stream.size());
+    EXPECT_GT(expected.size(), 2000U);
+    EXPECT_GT(whole.counters().damaged(), 300U);
+    for (const std::size_t piece : {std::size_t{1}, std::size_t{65}, std::size_t{200}, std::size_t{1000}}) {
+        Parser parser(GetParam());
+        EXPECT_EQ(framesIn(parser, stream, piece), expected) << piece;
+        EXPECT_EQ(parser.counters(), whole.counters()) << piece;
+    }
+}
+
+/// A frame with one escape, at each place of a line that is longer than a stripe.
+TEST_P(XbeeParser, AnEscapeMayStandAnywhere) {
+    for (std::size_t size : {std::size_t{60}, std::size_t{63}, std::size_t{64}, kMaxFrameData}) {
+        for (std::size_t place = 0; place < size; ++place) {
+            Bytes data(size, 0x20);
+            data[place] = kEscape;
+            Bytes stream = bytesOf(wrapFrame(data, GetParam()));
+            stream.resize(stream.size() + 300, 0x20);
+            Parser parser(GetParam());
+            EXPECT_EQ(framesIn(parser, stream, stream.size()), std::vector<Bytes>{data}) << place;
+        }
     }
 }
 
