@@ -6541,6 +6541,14 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>The pulse that is set in the Kick panel does not exist on the wire.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>That is the STOP button. Choose another, or give STOP another button first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has moved on the gamepad for 5 s: the chosen robots were told to brake. Wake it up, and let its sticks go.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::DrivePadPanel</name>
@@ -7532,6 +7540,10 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>by the last kick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>   no offset with one pulse</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

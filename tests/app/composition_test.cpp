@@ -145,10 +145,10 @@ TEST(DeviceFinder, EndsWhileItLooks) {
         DeviceFinder finder([&] {
             looking.set_value();
             mayEnd.get_future().wait();
-            return std::vector<FoundDevice>{};
+            return FoundHardware{};
         });
-        finder.find(scheduler, [&answers](const std::vector<FoundDevice>&) { ++answers; });
-        finder.find(scheduler, [&answers](const std::vector<FoundDevice>&) { ++answers; });
+        finder.find(scheduler, [&answers](const FoundHardware&) { ++answers; });
+        finder.find(scheduler, [&answers](const FoundHardware&) { ++answers; });
         looking.get_future().wait();
         mayEnd.set_value();
     }
