@@ -102,6 +102,17 @@ TEST_F(ProgramTest, NonsenseIsRefusedInOneLineWithCodeTwo) {
     }
 }
 
+/// Whether most of a picture is dark: a single place may be in the middle of a letter.
+bool isDark(const QImage& picture) {
+    const QImage small = picture.scaled(64, 40).convertToFormat(QImage::Format_RGB32);
+    int dark = 0;
+    for (int y = 0; y < small.height(); ++y) {
+        for (int x = 0; x < small.width(); ++x)
+            dark += small.pixelColor(x, y).lightness() < 128 ? 1 : 0;
+    }
+    return dark > small.width() * small.height() / 2;
+}
+
 TEST_F(ProgramTest, TheTourDrawsEveryStateInBothThemesWithoutADisplay) {
     const QString pictures = folder.filePath(QStringLiteral("tour"));
     ASSERT_EQ(run({QStringLiteral("--tour"), pictures}), 0) << program.readAllStandardError().toStdString();
@@ -111,8 +122,7 @@ TEST_F(ProgramTest, TheTourDrawsEveryStateInBothThemesWithoutADisplay) {
     for (const QString& file : files) {
         const QImage picture(QDir(pictures).filePath(file));
         ASSERT_FALSE(picture.isNull()) << file.toStdString();
-        const QColor corner = picture.pixelColor(picture.width() - 30, picture.height() / 2);
-        EXPECT_EQ(corner.lightness() < 128, file.contains(QStringLiteral("-dark"))) << file.toStdString();
+        EXPECT_EQ(isDark(picture), file.contains(QStringLiteral("-dark"))) << file.toStdString();
     }
 }
 

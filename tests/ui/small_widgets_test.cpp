@@ -99,12 +99,21 @@ TEST_F(SignedSpinBoxTest, LettersAreNoNumber) {
     EXPECT_EQ(box.value(), 12);
 }
 
-TEST_F(SignedSpinBoxTest, LeavingTheFieldGivesTheOldNumberBack) {
+TEST_F(SignedSpinBoxTest, LeavingTheFieldGivesTheOldNumberBackWhereItWouldMoveSomething) {
+    box.setLeavingGivesBack(true);
     QTest::keyClicks(&box, QStringLiteral("77"));
     QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
     QApplication::sendEvent(&box, &out);
     EXPECT_EQ(box.value(), 0);
     EXPECT_EQ(box.text(), QStringLiteral("0"));
+}
+
+TEST_F(SignedSpinBoxTest, LeavingTheFieldConfirmsASetting) {
+    QTest::keyClicks(&box, QStringLiteral("77"));
+    QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
+    QApplication::sendEvent(&box, &out);
+    EXPECT_EQ(box.value(), 77);
+    EXPECT_EQ(box.text(), QStringLiteral("77"));
 }
 
 TEST(Segmented, ShowsWhatItIsToldAndOnlyAsks) {

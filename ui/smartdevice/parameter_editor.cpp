@@ -36,13 +36,14 @@ QHBoxLayout* rowOf(QWidget* widget) {
 class SwitchEditor final : public ParameterEditor {
   public:
     SwitchEditor(const QString& name, QWidget* parent)
-        : ParameterEditor(parent), segments_(new Segmented({tr("Off"), tr("On")}, this)) {
+        : ParameterEditor(parent),
+          segments_(new Segmented({ParameterEditor::tr("Off"), ParameterEditor::tr("On")}, this)) {
         auto* row = rowOf(this);
         row->addWidget(segments_);
         row->addStretch(1);
         for (int i = 0; i < 2; ++i) {
             QPushButton* button = segments_->button(i);
-            button->setAccessibleName(tr("%1: %2").arg(name, button->text()));
+            button->setAccessibleName(ParameterEditor::tr("%1: %2").arg(name, button->text()));
         }
         connect(segments_, &Segmented::asked, this, [this](int index) { emit asked(index == 1); });
     }
@@ -73,14 +74,15 @@ class RangeEditor final : public ParameterEditor {
         slider_->setRange(from, to);
         slider_->setPageStep(std::max(1, (to - from) / 10));
         slider_->setMinimumWidth(kSliderWidth);
-        slider_->setAccessibleName(tr("%1, slider").arg(name));
-        slider_->setToolTip(tr("Pull to set. Double-click for zero. An arrow key changes it by one step."));
+        slider_->setAccessibleName(ParameterEditor::tr("%1, slider").arg(name));
+        slider_->setToolTip(
+            ParameterEditor::tr("Pull to set. Double-click for zero. An arrow key changes it by one step."));
         field_->setRange(from, to);
         field_->setDecimals(decimals);
         field_->setFixedWidth(kFieldWidth);
         field_->setFont(numberFont(metrics::kTextSize));
         field_->setAccessibleName(name);
-        field_->setToolTip(tr("Type a number and press Enter."));
+        field_->setToolTip(ParameterEditor::tr("Type a number and press Enter."));
         auto* row = rowOf(this);
         row->addWidget(slider_, 1);
         row->addWidget(field_);
@@ -126,17 +128,17 @@ class TextEditor final : public ParameterEditor {
         : ParameterEditor(parent),
           spec_(spec),
           field_(new QLineEdit(this)),
-          set_(new QPushButton(tr("Set"), this)) {
+          set_(new QPushButton(ParameterEditor::tr("Set"), this)) {
         field_->setAccessibleName(name);
         field_->setFont(numberFont(metrics::kTextSize));
         field_->setMinimumWidth(kFieldWidth);
         field_->setMaximumWidth(kTextWidth);
         field_->setPlaceholderText(withUnit(QString::fromLatin1(wire::name(spec.type)), spec));
-        field_->setToolTip(
-            spec.type == wire::ValueType::Raw
-                ? tr("Bytes in hexadecimal. Enter sends them.")
-                : tr("A number of type %1. Enter sends it.").arg(QString::fromLatin1(wire::name(spec.type))));
-        set_->setAccessibleName(tr("Set %1").arg(name));
+        field_->setToolTip(spec.type == wire::ValueType::Raw
+                               ? ParameterEditor::tr("Bytes in hexadecimal. Enter sends them.")
+                               : ParameterEditor::tr("A number of type %1. Enter sends it.")
+                                     .arg(QString::fromLatin1(wire::name(spec.type))));
+        set_->setAccessibleName(ParameterEditor::tr("Set %1").arg(name));
         set_->setAutoDefault(false);
         auto* row = rowOf(this);
         row->addWidget(field_, 1);

@@ -86,6 +86,8 @@ class Port::Worker final : public QObject {
             if (error.code == Errc::NoDevice) look();
             return events_.opened(fail(std::move(error)));
         }
+        // What the device said before was said to whoever held the port then.
+        port_->clear(QSerialPort::Input);
         untaken_ = 0;
         connect(port_.get(), &QSerialPort::readyRead, this, [this] { read(); });
         connect(port_.get(), &QSerialPort::bytesWritten, this, [this](qint64 bytes) { written(bytes); });
