@@ -53,7 +53,7 @@ class Parser {
     ApiMode mode_;
     InlineBytes<kMaxFrame> held_;  ///< The beginning of a frame, delimiter first; in mode 2 unescaped.
     /// A frame that came in one piece, unescaped, and what was copied with it.
-    alignas(kStripe) std::array<std::uint8_t, kMaxFrameData + 1 + kStripe> whole_;
+    std::array<std::uint8_t, kMaxFrameData + 1 + kStripe> whole_;
     std::size_t released_ = 0;  ///< So much of it was given out by the last call.
     bool escaping_ = false;
     ParserCounters counters_;

@@ -180,20 +180,13 @@ void XbeeSim::plusCame(std::uint8_t byte) {
         pluses_ = 0;
         commandMode_ = true;
         text_.clear();
-        commandEnd_ = scheduler_.callAfter(kCommandTime, [this] {
-            commandEnd_ = 0;
-            leaveCommandMode();
-        });
+        awaitCommand();
         line("");
     });
 }
 
 void XbeeSim::hearCommand(std::uint8_t byte) {
-    scheduler_.cancel(std::exchange(commandEnd_, 0));
-    commandEnd_ = scheduler_.callAfter(kCommandTime, [this] {
-        commandEnd_ = 0;
-        leaveCommandMode();
-    });
+    awaitCommand();
     if (byte != '\r') {
         if (text_.size() < kLongestCommand) text_ += static_cast<char>(byte);
         return;
@@ -202,7 +195,17 @@ void XbeeSim::hearCommand(std::uint8_t byte) {
     line(text);
 }
 
+/// A command mode in which nothing is said ends by itself.
+void XbeeSim::awaitCommand() {
+    scheduler_.cancel(commandEnd_);
+    commandEnd_ = scheduler_.callAfter(kCommandTime, [this] {
+        commandEnd_ = 0;
+        leaveCommandMode();
+    });
+}
+
 void XbeeSim::leaveCommandMode() {
+    scheduler_.cancel(std::exchange(commandEnd_, 0));
     commandMode_ = false;
     pluses_ = 0;
     settle();

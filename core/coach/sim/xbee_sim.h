@@ -68,6 +68,7 @@ class XbeeSim final : public ByteDeviceModel, public RadioNode {
     Reply ask(std::array<char, 2> name) const;
     xbee::AtOutcome set(std::array<char, 2> name, ByteView value);
     void settle();
+    void awaitCommand();
     void leaveCommandMode();
 
     Scheduler& scheduler_;

@@ -1,5 +1,7 @@
 #include "core/coach/radio_setup.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "core/base/fake_scheduler.h"
@@ -50,6 +52,22 @@ ModuleMemory memoryOf(int mode, Baud baud) {
     memory.baudCode = baudCode(baud);
     memory.name = "before";
     return memory;
+}
+
+TEST(XbeeSim, ItsCommandModeLeavesNoTimerBehind) {
+    FakeScheduler scheduler;
+    sim::RadioMedium medium{scheduler, 1};
+    {
+        sim::XbeeSim module(scheduler, medium, memoryOf(0, 9600), 1);
+        module.lineOpened(9600);
+        for (int i = 0; i < 3; ++i) {
+            scheduler.advance(std::chrono::milliseconds(1100));
+            module.hostSent(std::array<std::uint8_t, 3>{'+', '+', '+'});
+            scheduler.advance(std::chrono::milliseconds(1100));
+            module.hostSent(std::array<std::uint8_t, 5>{'A', 'T', 'C', 'N', '\r'});
+        }
+    }
+    EXPECT_EQ(scheduler.pending(), 0U);
 }
 
 class RadioSetupAt : public ::testing::TestWithParam<std::tuple<int, Baud>> {};
