@@ -262,8 +262,8 @@ TEST(PlanStop, ThatTheLinkDoesNotOutliveIsAnsweredOnce) {
 
 TEST(PlanStop, IsNotConfirmedByCopiesOfAnEarlierOne) {
     PlanRig rig;
-    const ByteView stopBytes = wire::encodeMessage({.kind = MessageKind::Stop})->view();
-    rig.sim().program().command(stopBytes, rig.scheduler().now());
+    const auto stop = wire::encodeMessage({.kind = MessageKind::Stop});
+    rig.sim().program().command(stop->view(), rig.scheduler().now());
     rig.session().start();
     ASSERT_TRUE(rig.waitUntil([&] { return rig.state().link == LinkState::Running; }));
     rig.simulate("lose-next", 1);
