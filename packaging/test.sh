@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, then builds and tests everything, and stops at the first stage that fails. Under half an
+# Installs what is missing, then builds and tests everything, and stops at the first stage that fails. Under an
 # hour on two cores.
 #   KICKSTAND_TIDY=0   without the clang-tidy stage
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
