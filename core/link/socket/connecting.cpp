@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <asio/connect.hpp>
+#include <asio/ip/tcp.hpp>
 #ifdef __linux__
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -40,7 +41,6 @@ Connecting::Connecting(IoCorePointer core, std::string subject, Done done)
     : core_(std::move(core)),
       subject_(std::move(subject)),
       done_(std::move(done)),
-      resolver_(core_->io),
       socket_(core_->io),
       deadline_(core_->io) {}
 
@@ -52,14 +52,11 @@ void Connecting::connect(std::vector<Protocol::endpoint> endpoints, Duration dea
 
 void Connecting::connect(const std::string& host, std::uint16_t port, Duration deadline) {
     begin(deadline);
-    resolver_.async_resolve(host, std::to_string(port), asio::ip::resolver_base::numeric_service,
-                            [self = shared_from_this()](const std::error_code& code,
-                                                        const asio::ip::tcp::resolver::results_type& found) {
-                                --self->core_->lookups;
+    lookup_ = Lookup::begin(core_, host, port, subject_,
+                            [self = shared_from_this()](Result<std::vector<Protocol::endpoint>> found) {
                                 if (self->ended_) return;
-                                if (code) return self->finish(fail(toError(code, self->subject_)));
-                                for (const auto& entry : found)
-                                    self->endpoints_.emplace_back(entry.endpoint());
+                                if (!found) return self->finish(fail(found.error()));
+                                self->endpoints_ = std::move(*found);
                                 self->tryAll();
                             });
 }
@@ -104,7 +101,7 @@ void Connecting::abandon() {
 void Connecting::end() {
     if (std::exchange(ended_, true)) return;
     std::error_code ignored;
-    resolver_.cancel();
+    if (lookup_) lookup_->abandon();
     socket_.close(ignored);
     deadline_.cancel();
     core_->tasks.erase(shared_from_this());

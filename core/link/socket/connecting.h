@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include <asio/ip/tcp.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/link/socket/connection.h"
+#include "core/link/socket/lookup.h"
 
 namespace kickstand::socket {
 
@@ -25,7 +25,7 @@ class Connecting final : public IoTask, public std::enable_shared_from_this<Conn
     Connecting(IoCorePointer core, std::string subject, Done done);
 
     void connect(std::vector<Protocol::endpoint> endpoints, Duration deadline);
-    /// As connect(), for a name that has to be looked up. IoCore::lookups counts it already.
+    /// As connect(), for a name that has to be looked up.
     void connect(const std::string& host, std::uint16_t port, Duration deadline);
     /// Ends it with an error that was known before.
     void refuse(const Error& error);
@@ -42,7 +42,7 @@ class Connecting final : public IoTask, public std::enable_shared_from_this<Conn
     const std::string subject_;
     Done done_;
     std::vector<Protocol::endpoint> endpoints_;
-    asio::ip::tcp::resolver resolver_;
+    std::shared_ptr<Lookup> lookup_;
     Protocol::socket socket_;
     asio::steady_timer deadline_;
     bool ended_ = false;

@@ -31,10 +31,6 @@ constexpr std::array kMeanings{
 
 Errc codeOf(const std::error_code& code) {
     if (code == asio::error::eof) return Errc::Disconnected;
-    // What the look-up of a name says.
-    if (code.category() == asio::error::get_netdb_category() ||
-        code.category() == asio::error::get_addrinfo_category())
-        return Errc::NoDevice;
     // Asio and the standard library each have a category for the system's numbers, and neither compares to
     // the other.
     if (code.category() != asio::error::get_system_category() && code.category() != std::system_category())

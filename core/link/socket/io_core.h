@@ -41,8 +41,6 @@ struct IoCore {
     std::set<std::shared_ptr<IoTask>>
         tasks;  ///< The sockets' thread: all that has to be abandoned at the end.
     std::atomic<bool> over{false};
-    /// Look-ups of names under way, which nothing can end early.
-    std::atomic<int> lookups{0};
 };
 using IoCorePointer = std::shared_ptr<IoCore>;
 

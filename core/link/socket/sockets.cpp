@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-#include <asio/ip/address.hpp>
+#include <asio/ip/tcp.hpp>
 
 #include "core/link/socket/connecting.h"
 #include "core/link/socket/listening.h"
@@ -103,12 +103,7 @@ Sockets::Impl::~Impl() {
     });
     core_->over = true;
     work_.reset();
-    // The look-up of a name cannot be ended, and may take long. The thread ends with it, touching nothing of
-    // anybody.
-    if (core_->lookups > 0)
-        thread_.detach();
-    else
-        thread_.join();
+    thread_.join();
 }
 
 std::shared_ptr<Connecting> Sockets::Impl::connecting(std::string subject, Connected done) {
@@ -136,7 +131,6 @@ void Sockets::Impl::connectTcp(const std::string& host, std::uint16_t port, Dura
                      deadline] { attempt->connect({Protocol::endpoint(endpoint)}, deadline); });
         return;
     }
-    ++core_->lookups;
     core_->post(
         [attempt = std::move(attempt), host, port, deadline] { attempt->connect(host, port, deadline); });
 }
