@@ -24,6 +24,7 @@ function(kickstand_translations target)
   add_dependencies(${target} ${target}_translations)
   install(FILES ${compiled} DESTINATION share/kickstand/translations)
   add_custom_target(update_translations
-    COMMAND Qt6::lupdate -silent -locations none -no-obsolete -I . app core/engine ui -ts ${catalogues}
+    COMMAND Qt6::lupdate -silent -locations none -no-obsolete -I . -tr-function-alias QT_TRANSLATE_NOOP+=FAULT_TEXT
+      app core/engine core/thunderbots/wire/faults.cpp ui -ts ${catalogues}
     WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}" VERBATIM)
 endfunction()

@@ -146,10 +146,13 @@ QJsonObject checkReport(const CheckProgress& progress, WallTime began) {
 QString checkReportHtml(const CheckProgress& progress, WallTime began) {
     QString body = QStringLiteral("<h1>%1</h1>\n<p>%2</p>\n")
                        .arg(title(began).toHtmlEscaped(), sentenceOf(progress).toHtmlEscaped());
+    // On paper each robot has its own sheet; the first shares its with the title.
+    QString sheet;
     forRobots(progress, [&](int robot) {
-        body += QStringLiteral("<h2>%1</h2>\n<p>%2</p>\n")
-                    .arg(Report::tr("Robot %1").arg(robot).toHtmlEscaped(),
+        body += QStringLiteral("<h2%1>%2</h2>\n<p>%3</p>\n")
+                    .arg(sheet, Report::tr("Robot %1").arg(robot).toHtmlEscaped(),
                          sentenceOf(progress, robot).toHtmlEscaped());
+        sheet = QStringLiteral(" style=\"page-break-before: always\"");
         body +=
             QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>%1%2%3%4</tr>\n")
                 .arg(cell("th", Report::tr("Step")), cell("th", Report::tr("Limit")),

@@ -7,11 +7,11 @@
 #include "core/engine/describe_check.h"
 #include "core/engine/describe_coach.h"
 #include "core/engine/describe_facts.h"
+#include "core/engine/describe_fault.h"
 #include "core/engine/describe_flash.h"
 #include "core/engine/describe_motionplan.h"
 #include "core/engine/describe_parameters.h"
 #include "core/engine/describe_smartdevice.h"
-#include "core/thunderbots/wire/faults.h"
 #include "core/thunderbots/wire/readings.h"
 #include "core/thunderbots/wire/test_mode.h"
 
@@ -224,15 +224,15 @@ Text highVoltageEvent(const thunderbots::Event& event) {
     }
 }
 
-QString faultText(std::int64_t code) {
+QString dongleFaultText(std::int64_t code) {
     if (code < 0 || code > 255) return QString::number(code);
-    return QString::fromStdString(wire::describe(wire::dongleFault(static_cast<std::uint8_t>(code))));
+    return faultText(wire::dongleFault(static_cast<std::uint8_t>(code)));
 }
 
 EventText troubleEvent(const thunderbots::Event& event) {
     switch (event.kind) {
         case EventKind::DongleFault:
-            return warning(EventWords::tr("the dongle reports: %1").arg(faultText(event.code)));
+            return warning(EventWords::tr("the dongle reports: %1").arg(dongleFaultText(event.code)));
         case EventKind::DongleText:
             return information(EventWords::tr("the dongle says: %1").arg(printable(event.text)));
         case EventKind::Malformed:

@@ -2409,6 +2409,249 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>Unknown fault code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown fault code %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Capacitor charge timed out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chicker board does not communicate properly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chicker board missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FPGA clock manager failed to lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FPGA fabric failed its online CRC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FPGA does not communicate properly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FPGA has no bitstream</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FPGA configuration failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Oscillator stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hall sensors read 000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hall sensors read 111</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hall sensors stuck while the encoder moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Encoder stuck while the Hall sensors move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dribbler overheated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dribbler thermistor out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio protocol error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial framing error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hardware overrun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software overrun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Received packet with a wrong checksum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Received length with a nonzero high byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Received length with an illegal low byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local modem did not respond in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dongle sent a micropacket of the wrong length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dongle sent a message to a pipe that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SPI flash does not communicate properly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operational parameters absent or corrupt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modem did not respond in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modem responded to another AT command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AT command failed for an unknown reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modem does not know an AT command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modem refused the parameter of an AT command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTS could not be enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firmware version could not be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node identifier could not be set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel could not be set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PAN identifier could not be set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address could not be set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outbound micropacket overflow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outbound micropacket to no pipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outbound micropacket of the wrong length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Debug text overflow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error queue overflow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Message could not be sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inbound micropacket overflow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inbound micropacket to no pipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inbound micropacket of the wrong length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB bit stuffing error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB bus turnaround timed out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB data field is not whole bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB CRC16 error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB CRC5 error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB packet identifier error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB stall</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FlashWizard</name>
     <message>
         <source>Robot %1: %2.</source>
@@ -7585,6 +7828,14 @@ Double-click or Enter says more.</source>
         <source>Name</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is a preset “%1” already: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::KickPulsesView</name>
@@ -7685,6 +7936,10 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7978,6 +8233,49 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Across: where a stick stands. Up: what it comes to. The grey band is the dead zone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>kickstand::ui::ParameterEditor</name>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pull to set. Double-click for zero. An arrow key changes it by one step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a number and press Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes in hexadecimal. Enter sends them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number of type %1. Enter sends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9069,21 +9367,6 @@ microcontroller %3, flash %4</source>
     </message>
 </context>
 <context>
-    <name>kickstand::ui::RangeEditor</name>
-    <message>
-        <source>%1, slider</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pull to set. Double-click for zero. An arrow key changes it by one step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type a number and press Enter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>kickstand::ui::RobotsPanel</name>
     <message>
         <source>%1 heard · %2 chosen</source>
@@ -9283,40 +9566,6 @@ microcontroller %3, flash %4</source>
     <name>kickstand::ui::SuspendWatch</name>
     <message>
         <source>Robots are braked first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>kickstand::ui::SwitchEditor</name>
-    <message>
-        <source>Off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>kickstand::ui::TextEditor</name>
-    <message>
-        <source>Set</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bytes in hexadecimal. Enter sends them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A number of type %1. Enter sends it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,7 +4,9 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
+#include <QTranslator>
 
+#include "core/engine/describe_fault.h"
 #include "tests/ui/bench_rig.h"
 #include "ui/shell/event_model.h"
 #include "ui/thunderbots/faults_model.h"
@@ -33,6 +35,27 @@ class FaultsTest : public BenchTest {
         return faults()->currentIndex().siblingAtColumn(ui::FaultsModel::Code).data().toString();
     }
 };
+
+/// A language that says every fault's meaning in capitals.
+class Capitals final : public QTranslator {
+  public:
+    QString translate(const char* context, const char* source, const char*, int) const override {
+        return qstrcmp(context, "Fault") == 0 ? QString::fromUtf8(source).toUpper() : QString();
+    }
+    bool isEmpty() const override { return false; }
+};
+
+TEST_F(FaultsTest, WhatACodeSaysIsTranslated) {
+    Capitals language;
+    QCoreApplication::installTranslator(&language);
+    const ui::FaultsModel model;
+    const int row = model.rowOf(ui::FaultTable::Dongle, 48);
+    EXPECT_EQ(model.index(row, ui::FaultsModel::Meaning).data().toString(),
+              QStringLiteral("MESSAGE COULD NOT BE SENT"));
+    EXPECT_EQ(faultText(wire::dongleFault(48)), QStringLiteral("ROBOT 7: MESSAGE COULD NOT BE SENT"));
+    EXPECT_EQ(faultText(wire::dongleFault(200)), QStringLiteral("UNKNOWN FAULT CODE 200"));
+    QCoreApplication::removeTranslator(&language);
+}
 
 TEST_F(FaultsTest, BothTablesAreThereAndCanBeToldApart) {
     EXPECT_EQ(faults()->model()->rowCount(), wire::kDongleFaultCount + wire::kRobotFaultCount);

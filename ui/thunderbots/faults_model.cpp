@@ -1,5 +1,7 @@
 #include "ui/thunderbots/faults_model.h"
 
+#include "core/engine/describe_fault.h"
+
 namespace kickstand::ui {
 
 using namespace thunderbots;
@@ -68,7 +70,7 @@ QString FaultsModel::cell(const Row& row, int column) const {
         case About:
             return aboutText(row.fault);
         case Meaning:
-            return QString::fromUtf8(row.fault.text);
+            return faultMeaning(row.fault);
         case Seen:
             return row.seen == 0 ? QString() : tr("%1 \u00d7").arg(row.seen);
         default:

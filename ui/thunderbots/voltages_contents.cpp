@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/engine/describe.h"
-#include "core/thunderbots/wire/faults.h"
+#include "core/engine/describe_fault.h"
 #include "core/thunderbots/wire/readings.h"
 #include "ui/plot/curve_colours.h"
 #include "ui/thunderbots/words.h"
@@ -101,10 +101,7 @@ MarkWords wordsOf(const Mark& mark, const QString& robot) {
         case MarkKind::DeviceError: {
             const auto code = static_cast<std::uint8_t>(mark.value);
             return {Words::tr("fault %1").arg(code),
-                    Words::tr("Dongle error %1: %2")
-                        .arg(code)
-                        .arg(QString::fromStdString(wire::describe(wire::dongleFault(code)))),
-                    true};
+                    Words::tr("Dongle error %1: %2").arg(code).arg(faultText(wire::dongleFault(code))), true};
         }
         case MarkKind::Stop: {
             const auto reason = static_cast<StopReason>(static_cast<int>(mark.value));

@@ -14,9 +14,9 @@ namespace {
 
 using namespace thunderbots;
 
-CheckProgress wholeCheck() {
+CheckProgress wholeCheck(RobotMask robots = maskOf(3)) {
     CheckProgress progress;
-    progress.plan.robots = maskOf(3);
+    progress.plan.robots = robots;
     const auto steps = planCheck(progress.plan).value();
     for (const CheckStep& step : steps)
         progress.rows.push_back({step, CheckVerdict::Passed, {}, {}, {}});
@@ -75,6 +75,11 @@ TEST(CheckLimitsFile, WhatIsWrongIsSaid) {
     EXPECT_NE(whyNot(R"({"wheel_speed": null})").find("wheel_speed"), std::string::npos);
 }
 
+TEST(CheckReport, EachRobotHasItsOwnSheetOnPaper) {
+    const QString html = checkReportHtml(wholeCheck(maskOf(3) | maskOf(5) | maskOf(7)), {});
+    EXPECT_EQ(html.count(QStringLiteral("page-break-before: always")), 2);
+}
+
 TEST(CheckReport, HasEveryStepWithLimitValueAndVerdict) {
     CheckProgress progress = wholeCheck();
     progress.rows[1].value = 15.934;
@@ -96,6 +101,8 @@ TEST(CheckReport, HasEveryStepWithLimitValueAndVerdict) {
     EXPECT_TRUE(html.contains(QStringLiteral("≥ 15.00 V")));
     EXPECT_TRUE(html.contains(QStringLiteral("<b>failed</b>: ")));
     EXPECT_EQ(html.count(QStringLiteral("<tr>")), static_cast<qsizetype>(progress.rows.size()) + 1);
+
+    EXPECT_FALSE(html.contains(QStringLiteral("page-break"))) << "one robot shares the title's page";
 
     const QString text = checkReportText(progress, {});
     EXPECT_EQ(text.count(u'\n'), static_cast<qsizetype>(progress.rows.size()) + 4);
