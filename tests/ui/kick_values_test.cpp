@@ -158,6 +158,9 @@ std::chrono::system_clock::time_point wall(TimePoint time) {
         std::chrono::duration_cast<std::chrono::system_clock::duration>(time.time_since_epoch()));
 }
 
+constexpr SessionId kSession = 7;
+const QString kLink = QStringLiteral("sim:thunderbots");
+
 TEST(KickWords, SayWhatWasMeasuredAndNeverDelivered) {
     EXPECT_EQ(measureText(measured(1)).toStdString(), "219 → 148 V (−71 V), charged again in 1.9 s");
     EXPECT_TRUE(measureText(notMeasured(1)).startsWith(QStringLiteral("not measured")));
@@ -180,15 +183,17 @@ TEST(KickWords, TellHowChargingGoes) {
 }
 
 TEST(KickCsv, HasALineAKickAndEmptyCellsForWhatIsNotKnown) {
-    std::vector<KickRow> rows{{measured(1), QStringLiteral("new \"ball\", wet")}, {notMeasured(2), {}}};
+    std::vector<KickRow> rows{{measured(1), QStringLiteral("new \"ball\", wet"), 1, kLink},
+                              {notMeasured(2), {}, 1, kLink}};
     rows[1].record.times.reset();
     const QStringList lines = kickCsv(rows, wall).split(u'\n');
     ASSERT_EQ(lines.size(), 4);
-    EXPECT_EQ(lines[0].count(u','), 16);
+    EXPECT_EQ(lines[0].count(u','), 17);
     EXPECT_EQ(lines[1].toStdString(),
               "1970-01-01T00:00:01.000Z,3,asked,2400,1280,384,75,52,12,1,0,219.0,148.0,71.0,1.900,recharged,"
-              "\"new \"\"ball\"\", wet\"");
-    EXPECT_EQ(lines[2].toStdString(), "1970-01-01T00:00:02.000Z,3,asked,,,,,,,,,,,,,not-measured,\"\"");
+              "\"sim:thunderbots\",\"new \"\"ball\"\", wet\"");
+    EXPECT_EQ(lines[2].toStdString(),
+              "1970-01-01T00:00:02.000Z,3,asked,,,,,,,,,,,,,not-measured,\"sim:thunderbots\",\"\"");
 }
 
 TEST(KickRows, TakeNewKicksAndNewsOfThoseThatAreThere) {
@@ -197,20 +202,37 @@ TEST(KickRows, TakeNewKicksAndNewsOfThoseThatAreThere) {
     open.measure = KickMeasure::Waiting;
     open.after_V.reset();
     open.recharge.reset();
-    rows.take({open});
+    rows.take(kSession, kLink, {open});
     QSignalSpy changed(&rows, &QAbstractItemModel::dataChanged);
     EXPECT_EQ(rows.data(rows.index(0, KickRows::Drop), Qt::DisplayRole).toString(), QStringLiteral("…"));
     rows.setData(rows.index(0, KickRows::Note), QStringLiteral("first"), Qt::EditRole);
-    rows.take({measured(1), notMeasured(2)});
+    rows.take(kSession, kLink, {measured(1), notMeasured(2)});
     EXPECT_EQ(changed.size(), 2);
     ASSERT_EQ(rows.rowCount(), 2);
     EXPECT_EQ(rows.data(rows.index(0, KickRows::Drop), Qt::DisplayRole).toString(), QStringLiteral("71.0 V"));
     EXPECT_EQ(rows.data(rows.index(0, KickRows::Note), Qt::DisplayRole).toString(), QStringLiteral("first"));
     EXPECT_EQ(rows.data(rows.index(1, KickRows::Drop), Qt::DisplayRole).toString(), QStringLiteral("—"));
-    rows.take({notMeasured(2)});
+    rows.take(kSession, kLink, {notMeasured(2)});
     EXPECT_EQ(rows.rowCount(), 2) << "what the session has forgotten stays";
-    rows.clear();
-    EXPECT_EQ(rows.rowCount(), 0);
+}
+
+TEST(KickRows, StayWhenTheirSessionEndsAndThoseOfTheNextComeBehindThem) {
+    KickRows rows(wall);
+    KickRecord open = measured(1);
+    open.measure = KickMeasure::Waiting;
+    rows.take(kSession, kLink, {open});
+    rows.setData(rows.index(0, KickRows::Note), QStringLiteral("first"), Qt::EditRole);
+    EXPECT_FALSE(rows.hasSeveralLinks());
+    rows.endAllBut({kSession});
+    EXPECT_EQ(rows.rows()[0].record.measure, KickMeasure::Waiting);
+    rows.endAllBut({});
+    EXPECT_EQ(rows.rows()[0].record.measure, KickMeasure::Lost) << "nobody measures it any more";
+    rows.take(kSession + 1, QStringLiteral("usb:"), {measured(1), measured(2)});
+    rows.take(kSession, kLink, {measured(1)});
+    ASSERT_EQ(rows.rowCount(), 3) << "numbers count within their session";
+    EXPECT_TRUE(rows.hasSeveralLinks());
+    EXPECT_EQ(rows.data(rows.index(0, KickRows::Note), Qt::DisplayRole).toString(), QStringLiteral("first"));
+    EXPECT_EQ(rows.data(rows.index(1, KickRows::Link), Qt::DisplayRole).toString(), QStringLiteral("usb:"));
 }
 
 TEST(KickRows, AreBounded) {
@@ -219,7 +241,7 @@ TEST(KickRows, AreBounded) {
     for (std::uint64_t number = 1; number <= KickRows::kMost + 5; ++number) {
         records.push_back(measured(number));
         if (records.size() == 256 || number == KickRows::kMost + 5) {
-            rows.take(records);
+            rows.take(kSession, kLink, records);
             records.clear();
         }
     }
@@ -229,7 +251,8 @@ TEST(KickRows, AreBounded) {
 
 TEST(KickRows, SortByTheirNumbers) {
     KickRows rows(wall);
-    rows.take({measured(1, 219, 100), measured(2, 219, 20), measured(3, 219, 200), notMeasured(4)});
+    rows.take(kSession, kLink,
+              {measured(1, 219, 100), measured(2, 219, 20), measured(3, 219, 200), notMeasured(4)});
     QSortFilterProxyModel sorted;
     sorted.setSourceModel(&rows);
     sorted.setSortRole(KickRows::kSortRole);
@@ -242,7 +265,7 @@ TEST(KickRows, SortByTheirNumbers) {
 
 TEST(KickRows, OnlyNotesCanBeWritten) {
     KickRows rows(wall);
-    rows.take({measured(1)});
+    rows.take(kSession, kLink, {measured(1)});
     EXPECT_TRUE(rows.flags(rows.index(0, KickRows::Note)).testFlag(Qt::ItemIsEditable));
     EXPECT_FALSE(rows.flags(rows.index(0, KickRows::Drop)).testFlag(Qt::ItemIsEditable));
     EXPECT_FALSE(rows.setData(rows.index(0, KickRows::Drop), 5, Qt::EditRole));

@@ -33,7 +33,7 @@ namespace {
 constexpr int kRowHeight = 24;
 constexpr int kSweepWidth = 248;
 constexpr int kColumnGap = 16;
-constexpr int kWidths[] = {82, 46, 64, 62, 62, 60, 62, 62, 58, 64, 40};
+constexpr int kWidths[] = {82, 46, 64, 62, 62, 60, 62, 62, 58, 64, 120, 40};
 
 }  // namespace
 
@@ -68,7 +68,6 @@ KickLogPanel::KickLogPanel(Bench& bench, RobotChoice& choice, KickSettings& kick
     connect(&kick_, &KickSettings::changed, this, &KickLogPanel::refresh);
     connect(&choice_, &RobotChoice::changed, this, &KickLogPanel::refresh);
     connect(&bench, &Bench::changed, this, &KickLogPanel::refresh);
-    connect(&bench, &Bench::sessionChanged, this, [this] { rows_.clear(); });
     connect(&bench.client(), &EngineClient::stopChanged, this, &KickLogPanel::refresh);
     refresh();
 }
@@ -133,10 +132,23 @@ QWidget* KickLogPanel::headerTools() {
 void KickLogPanel::refresh() {
     const Snapshot* snapshot = snapshotOf(bench().session());
     summary_ = snapshot == nullptr ? ChoiceSummary{} : summarize(*snapshot, choice_.chosen());
-    if (snapshot != nullptr) rows_.take(*snapshot->kicks);
+    takeRows(snapshot);
     empty_->setVisible(rows_.rowCount() == 0);
     setNote(rows_.rowCount() == 1 ? tr("1 kick") : tr("%1 kicks").arg(rows_.rowCount()));
     showSweep(snapshot);
+}
+
+void KickLogPanel::takeRows(const Snapshot* snapshot) {
+    std::vector<SessionId> alive;
+    for (const SessionSnapshot& session : bench().client().snapshot().sessions)
+        alive.push_back(session.id);
+    rows_.endAllBut(alive);
+    if (snapshot != nullptr && snapshot->kicks != taken_) {
+        taken_ = snapshot->kicks;
+        const SessionSnapshot& session = *bench().session();
+        rows_.take(session.id, QString::fromStdString(toString(session.uri)), *taken_);
+    }
+    table_->setColumnHidden(KickRows::Link, !rows_.hasSeveralLinks());
 }
 
 void KickLogPanel::showSweep(const Snapshot* snapshot) {

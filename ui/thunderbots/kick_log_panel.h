@@ -30,6 +30,8 @@ class KickLogPanel final : public Panel {
   private:
     void buildTable();
     void refresh();
+    /// `snapshot`: of the shown session, or null.
+    void takeRows(const thunderbots::Snapshot* snapshot);
     void showSweep(const thunderbots::Snapshot* snapshot);
     /// What a sweep would do, or why it cannot be.
     QString outlook(bool& possible) const;
@@ -42,6 +44,7 @@ class KickLogPanel final : public Panel {
     RobotChoice& choice_;
     KickSettings& kick_;
     KickRows rows_;
+    std::shared_ptr<const thunderbots::KickRecords> taken_;
     QSortFilterProxyModel sorted_;
     KickSweepBox* sweep_;
     QTableView* table_;

@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/thunderbots/wire/kick_timing.h"
 #include "ui/thunderbots/kick_words.h"
@@ -32,7 +33,7 @@ std::optional<double> pulseNumber(const KickRecord& record, int column) {
 std::optional<double> number(const KickRecord& record, int column) {
     switch (column) {
         case KickRows::Time:
-            return static_cast<double>(record.number);
+            return seconds(record.time.time_since_epoch());
         case KickRows::Robot:
             return record.robot;
         case KickRows::Cause:
@@ -92,7 +93,7 @@ QString csvLine(const KickRow& row, const WallClock& clock) {
     for (const int column : {KickRows::Before, KickRows::After, KickRows::Drop})
         cells << plain(number(record, column), 1);
     cells << plain(number(record, KickRows::Recharge), 3) << QString::fromLatin1(csvName(record.measure))
-          << quoted(row.note);
+          << quoted(row.link) << quoted(row.note);
     return cells.join(u',');
 }
 
@@ -101,7 +102,7 @@ QString csvLine(const KickRow& row, const WallClock& clock) {
 QString kickCsv(const std::vector<KickRow>& rows, const WallClock& clock) {
     QString csv = QStringLiteral(
         "time,robot,cause,width1_us,width2_us,offset_us,t1,t2,dt,flag1,flag2,before_V,after_V,drop_V,"
-        "recharge_s,outcome,note\n");
+        "recharge_s,outcome,link,note\n");
     for (const KickRow& row : rows)
         csv += csvLine(row, clock) + u'\n';
     return csv;
@@ -115,19 +116,38 @@ QString KickRows::clockText(TimePoint time) const {
     return QDateTime::fromMSecsSinceEpoch(since.count()).toString(QStringLiteral("HH:mm:ss.zzz")).chopped(2);
 }
 
-void KickRows::take(const KickRecords& records) {
-    const auto byNumber = [](const KickRow& row, std::uint64_t wanted) { return row.record.number < wanted; };
+std::vector<KickRow>::iterator KickRows::find(SessionId session, std::uint64_t number) {
+    // From the newest: news is of the last ones.
+    const auto found = std::find_if(rows_.rbegin(), rows_.rend(), [session, number](const KickRow& row) {
+        return row.session == session && row.record.number <= number;
+    });
+    return found != rows_.rend() && found->record.number == number ? std::prev(found.base()) : rows_.end();
+}
+
+void KickRows::changed(std::vector<KickRow>::iterator row) {
+    const int line = static_cast<int>(row - rows_.begin());
+    emit dataChanged(index(line, 0), index(line, Columns - 1));
+}
+
+void KickRows::take(SessionId session, const QString& link, const KickRecords& records) {
+    const auto newest = std::find_if(rows_.rbegin(), rows_.rend(),
+                                     [session](const KickRow& row) { return row.session == session; });
+    const std::uint64_t last = newest == rows_.rend() ? 0 : newest->record.number;
     std::vector<KickRow> added;
     for (const KickRecord& record : records) {
-        const auto known = std::lower_bound(rows_.begin(), rows_.end(), record.number, byNumber);
-        if (known == rows_.end()) {
-            added.push_back({record, {}});
-        } else if (known->record.number == record.number && known->record != record) {
-            known->record = record;
-            const int row = static_cast<int>(known - rows_.begin());
-            emit dataChanged(index(row, 0), index(row, Columns - 1));
+        if (record.number > last) {
+            added.push_back({record, {}, session, link});
+            continue;
         }
+        const auto known = find(session, record.number);
+        if (known == rows_.end() || known->record == record) continue;
+        known->record = record;
+        changed(known);
     }
+    append(std::move(added));
+}
+
+void KickRows::append(std::vector<KickRow> added) {
     if (added.empty()) return;
     if (rows_.size() + added.size() > kMost) {
         const std::size_t surplus = std::min(rows_.size(), rows_.size() + added.size() - kMost);
@@ -137,15 +157,22 @@ void KickRows::take(const KickRecords& records) {
     }
     const int first = static_cast<int>(rows_.size());
     beginInsertRows({}, first, first + static_cast<int>(added.size()) - 1);
-    rows_.insert(rows_.end(), added.begin(), added.end());
+    std::move(added.begin(), added.end(), std::back_inserter(rows_));
     endInsertRows();
 }
 
-void KickRows::clear() {
-    if (rows_.empty()) return;
-    beginResetModel();
-    rows_.clear();
-    endResetModel();
+void KickRows::endAllBut(const std::vector<SessionId>& sessions) {
+    for (auto row = rows_.begin(); row != rows_.end(); ++row) {
+        const bool goesOn = std::find(sessions.begin(), sessions.end(), row->session) != sessions.end();
+        if (goesOn || !isMeasuring(row->record)) continue;
+        row->record.measure = KickMeasure::Lost;
+        changed(row);
+    }
+}
+
+bool KickRows::hasSeveralLinks() const {
+    return std::any_of(rows_.begin(), rows_.end(),
+                       [this](const KickRow& row) { return row.link != rows_.front().link; });
 }
 
 int KickRows::rowCount(const QModelIndex& parent) const {
@@ -164,6 +191,8 @@ QString KickRows::text(const KickRow& row, int column) const {
             return clockText(record.time);
         case Cause:
             return causeText(record.cause);
+        case Link:
+            return row.link;
         case Note:
             return row.note;
         case Recharge:
@@ -191,13 +220,14 @@ QVariant KickRows::data(const QModelIndex& index, int role) const {
             return index.column() == Note ? QVariant(row.note) : QVariant();
         case kSortRole: {
             if (index.column() == Note) return row.note;
+            if (index.column() == Link) return row.link;
             const auto value = number(row.record, index.column());
             return value ? QVariant(*value) : QVariant();
         }
         case Qt::ToolTipRole:
             return index.column() == Note ? QVariant() : QVariant(measureText(row.record));
         case Qt::TextAlignmentRole:
-            return index.column() >= Width1 && index.column() < Note
+            return index.column() >= Width1 && index.column() < Link
                        ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
                        : QVariant(Qt::AlignLeft | Qt::AlignVCenter);
         default:
@@ -219,7 +249,7 @@ QVariant KickRows::headerData(int section, Qt::Orientation orientation, int role
     if (role == Qt::ToolTipRole && section == Recharge)
         return tr("From the kick until charged again, or back at 98 % of before.");
     if (role == Qt::TextAlignmentRole)
-        return section >= Width1 && section < Note ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
+        return section >= Width1 && section < Link ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
                                                    : QVariant(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
     switch (section) {
@@ -243,6 +273,8 @@ QVariant KickRows::headerData(int section, Qt::Orientation orientation, int role
             return tr("Drop");
         case Recharge:
             return tr("Recharge");
+        case Link:
+            return tr("Link");
         case Note:
             return tr("Note");
         default:

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/engine/messages.h"
 #include "core/thunderbots/kick_record.h"
 
 namespace kickstand::ui {
@@ -13,6 +14,8 @@ namespace kickstand::ui {
 struct KickRow {
     thunderbots::KickRecord record;
     QString note;
+    SessionId session = 0;  ///< Its numbers count within this.
+    QString link;           ///< Over which it was given.
 };
 
 /// Where the wall's clock stood at a moment of the engine's.
@@ -22,12 +25,26 @@ using WallClock = std::function<std::chrono::system_clock::time_point(TimePoint)
 /// nothing was measured.
 QString kickCsv(const std::vector<KickRow>& rows, const WallClock& clock);
 
-/// The kicks of the shown session as a table. It keeps what the session itself has forgotten, up to a limit,
-/// and the notes. GUI thread.
+/// The kicks of a run of the program as a table. It keeps what a session itself has forgotten or what ended
+/// with it, up to a limit, and the notes. GUI thread.
 class KickRows final : public QAbstractTableModel {
     Q_OBJECT
   public:
-    enum Column { Time, Robot, Cause, Width1, Width2, Offset, Before, After, Drop, Recharge, Note, Columns };
+    enum Column {
+        Time,
+        Robot,
+        Cause,
+        Width1,
+        Width2,
+        Offset,
+        Before,
+        After,
+        Drop,
+        Recharge,
+        Link,
+        Note,
+        Columns
+    };
     /// The bare number of a cell, to sort by; nothing where there is none.
     static constexpr int kSortRole = Qt::UserRole;
     static constexpr std::size_t kMost = 5000;
@@ -35,10 +52,12 @@ class KickRows final : public QAbstractTableModel {
 
     explicit KickRows(WallClock clock, QObject* parent = nullptr);
 
-    /// Takes over what a snapshot has: new kicks, and news of those that are still being measured.
-    void take(const thunderbots::KickRecords& records);
-    /// Another session is shown: nothing of the one before stays.
-    void clear();
+    /// Takes over what a session's snapshot has: new kicks, and news of those that are still being measured.
+    void take(SessionId session, const QString& link, const thunderbots::KickRecords& records);
+    /// What is still being measured, other than in these sessions, never will be.
+    void endAllBut(const std::vector<SessionId>& sessions);
+    /// Whether not all came over the same link.
+    bool hasSeveralLinks() const;
     const std::vector<KickRow>& rows() const { return rows_; }
     /// "12:04:03.1".
     QString clockText(TimePoint time) const;
@@ -52,9 +71,12 @@ class KickRows final : public QAbstractTableModel {
 
   private:
     QString text(const KickRow& row, int column) const;
+    std::vector<KickRow>::iterator find(SessionId session, std::uint64_t number);
+    void changed(std::vector<KickRow>::iterator row);
+    void append(std::vector<KickRow> added);
 
     WallClock clock_;
-    std::vector<KickRow> rows_;  ///< Oldest first, numbered upwards.
+    std::vector<KickRow> rows_;  ///< Those of a session oldest first, numbered upwards.
 };
 
 }  // namespace kickstand::ui
