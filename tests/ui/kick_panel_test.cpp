@@ -1,5 +1,7 @@
 // Every control of the Kick panel, to the bytes on the wire and back.
 
+#include <QMessageBox>
+
 #include "tests/ui/kick_testing.h"
 
 namespace kickstand::test {
@@ -222,6 +224,34 @@ TEST_F(KickPanelTest, PresetsAreSavedChosenRenamedAndDeleted) {
     EXPECT_EQ(names->currentText(), QStringLiteral("soft pass"));
     rig.find<QAction>(QStringLiteral("presetDelete"))->trigger();
     EXPECT_EQ(names->count(), 1);
+}
+
+TEST_F(KickPanelTest, APresetIsReplacedOnlyWhenAPersonSaysSo) {
+    auto* names = rig.find<QComboBox>(QStringLiteral("kickPresets"));
+    const auto save = [this](const QString& name) {
+        rig.find<QAction>(QStringLiteral("presetSave"))->trigger();
+        answer(name);
+    };
+    type("kickWidth1", QStringLiteral("1280"));
+    save(QStringLiteral("pass"));
+    save(QStringLiteral("a second name for the same"));
+    EXPECT_EQ(names->currentText(), QStringLiteral("a second name for the same"));
+    names->setCurrentIndex(names->findText(QStringLiteral("pass")));
+    emit names->activated(names->currentIndex());
+    EXPECT_EQ(names->currentText(), QStringLiteral("pass")) << "the one that was chosen";
+    type("kickWidth1", QStringLiteral("3200"));
+    save(QStringLiteral("pass"));
+    auto* box = rig.find<QMessageBox>(QStringLiteral("replacePreset"));
+    EXPECT_TRUE(box->text().contains(QStringLiteral("pass")));
+    box->reject();
+    EXPECT_EQ(names->currentIndex(), 0) << "nothing has been replaced";
+    ASSERT_TRUE(waitUntil(
+        [this] { return rig.window().findChild<QMessageBox*>(QStringLiteral("replacePreset")) == nullptr; }));
+    save(QStringLiteral("pass"));
+    for (QAbstractButton* button : rig.find<QMessageBox>(QStringLiteral("replacePreset"))->buttons()) {
+        if (button->text().contains(QStringLiteral("Replace"))) button->click();
+    }
+    EXPECT_EQ(names->currentText(), QStringLiteral("pass"));
 }
 
 TEST_F(KickPanelTest, StopDisarmsAndThePanelSaysSo) {

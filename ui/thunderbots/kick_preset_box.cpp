@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -54,13 +55,12 @@ KickPresetBox::KickPresetBox(KickSettings& kick, QSettings& settings, QWidget* p
     row->addWidget(names_);
     row->addWidget(more);
     connect(names_, &QComboBox::activated, this, &KickPresetBox::choose);
-    connect(save, &QAction::triggered, this, [this] {
-        askName(tr("Save preset"), current(),
-                [this](const QString& name) { return presets_.save(name, kick_.pulses()); });
-    });
+    connect(save, &QAction::triggered, this,
+            [this] { askName(tr("Save preset"), current(), [this](const QString& name) { saveAs(name); }); });
     connect(rename_, &QAction::triggered, this, [this] {
-        askName(tr("Rename preset"), current(),
-                [this, from = current()](const QString& name) { return presets_.rename(from, name); });
+        askName(tr("Rename preset"), current(), [this, from = current()](const QString& name) {
+            if (presets_.rename(from, name)) chosen_ = KickPresets::tidied(name);
+        });
     });
     connect(remove_, &QAction::triggered, this, [this] {
         presets_.remove(current());
@@ -78,7 +78,8 @@ void KickPresetBox::refresh() {
     for (const KickPreset& preset : presets_.all()) {
         names_->addItem(preset.name, preset.name);
         names_->setItemData(names_->count() - 1, pulsesText(preset.pulses), Qt::ToolTipRole);
-        if (now == 0 && preset.pulses == kick_.pulses()) now = names_->count() - 1;
+        if (preset.pulses == kick_.pulses() && (now == 0 || preset.name == chosen_))
+            now = names_->count() - 1;
     }
     names_->setCurrentIndex(now);
     rename_->setEnabled(now > 0);
@@ -87,7 +88,10 @@ void KickPresetBox::refresh() {
 
 void KickPresetBox::choose(int index) {
     const KickPreset* preset = presets_.find(names_->itemData(index).toString());
-    if (preset != nullptr) kick_.setPulses(preset->pulses);
+    if (preset != nullptr) {
+        chosen_ = preset->name;
+        kick_.setPulses(preset->pulses);
+    }
     refresh();
 }
 
@@ -96,12 +100,32 @@ QString KickPresetBox::current() const {
 }
 
 void KickPresetBox::askName(const QString& title, const QString& first,
-                            const std::function<bool(const QString&)>& named) {
+                            const std::function<void(const QString&)>& named) {
     QInputDialog* dialog = askLine(this, title, tr("Name"), first);
     connect(dialog, &QInputDialog::textValueSelected, this, [this, named](const QString& name) {
-        if (named(name)) refresh();
+        named(name);
+        refresh();
     });
     dialog->open();
+}
+
+void KickPresetBox::saveAs(const QString& name) {
+    const KickPreset* there = presets_.find(KickPresets::tidied(name));
+    if (there == nullptr || there->pulses == kick_.pulses()) return keep(name);
+    auto* box = new QMessageBox(
+        QMessageBox::Question, tr("Save preset"),
+        tr("There is a preset \u201c%1\u201d already: %2.").arg(there->name, pulsesText(there->pulses)),
+        QMessageBox::Cancel, window());
+    box->setObjectName(QStringLiteral("replacePreset"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* replace = box->addButton(tr("Replace it"), QMessageBox::AcceptRole);
+    connect(replace, &QPushButton::clicked, this, [this, name] { keep(name); });
+    box->open();
+}
+
+void KickPresetBox::keep(const QString& name) {
+    if (presets_.save(name, kick_.pulses())) chosen_ = KickPresets::tidied(name);
+    refresh();
 }
 
 }  // namespace kickstand::ui

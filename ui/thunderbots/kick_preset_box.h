@@ -23,12 +23,16 @@ class KickPresetBox final : public QWidget {
     void refresh();
     void choose(int index);
     QString current() const;
+    /// Keeps the pulses under a name; one that another preset has is asked for.
+    void saveAs(const QString& name);
+    void keep(const QString& name);
     /// Asks for a name; `named` gets it.
     void askName(const QString& title, const QString& first,
-                 const std::function<bool(const QString&)>& named);
+                 const std::function<void(const QString&)>& named);
 
     KickSettings& kick_;
     KickPresets presets_;
+    QString chosen_;  ///< The preset that a person took last: of several with equal pulses, it is that.
     QComboBox* names_;
     QAction* rename_;
     QAction* remove_;
