@@ -151,7 +151,7 @@ int main(int argc, char** argv) {
         window.connector().connectToOnlyHardware();
     }
     for (const LinkUri& link : options.links)
-        bench.connectBeside(link);
+        window.connector().connectBeside(link);
     if (tour) {
         window.resize(kTourSize);
         QObject::connect(tour.get(), &app::Tour::finished, &application, &QCoreApplication::exit);

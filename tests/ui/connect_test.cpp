@@ -201,9 +201,11 @@ TEST_F(ConnectTest, SimulatedRobotsLeaveNothingBehind) {
 TEST_F(ConnectTest, WithHardwareBesideItTheBannerSaysThat) {
     ASSERT_TRUE(rig.connectTo("usb:"));
     const Result<LinkUri> simulation = parseLinkUri("sim:thunderbots?robots=0");
-    rig.bench().connectBeside(*simulation);
+    rig.window().connector().connectBeside(*simulation);
     ASSERT_TRUE(waitUntil([this] { return simulated()->isVisible(); }));
     EXPECT_TRUE(simulated()->text().contains(QStringLiteral("HARDWARE IS CONNECTED")));
+    EXPECT_EQ(rig.settings().value(QStringLiteral("links/recent")).toStringList().first(),
+              QStringLiteral("sim:thunderbots?robots=0"));
     // And back to the other one, by the menu.
     ASSERT_TRUE(choose(QStringLiteral("usb:")));
     EXPECT_FALSE(simulated()->isVisible());

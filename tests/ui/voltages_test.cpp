@@ -73,8 +73,20 @@ TEST_F(VoltagesTest, FollowsTheChoiceOfTheGridUntilRobotsArePinned) {
     EXPECT_EQ(shownRobots(), (std::set<int>{3, 5}));
     rig.clickRobot(1);
     EXPECT_EQ(shownRobots(), (std::set<int>{3, 5}));
+    EXPECT_EQ(rig.settings().value(QStringLiteral("voltages/robots")).toUInt(), maskOf(3) | maskOf(5));
     choose("plotRobotsMenu", QStringLiteral("Those that are chosen"));
     EXPECT_EQ(shownRobots(), (std::set<int>{1}));
+    EXPECT_FALSE(rig.settings().contains(QStringLiteral("voltages/robots")));
+}
+
+TEST_F(VoltagesTest, PinnedRobotsAreRemembered) {
+    rig.settings().setValue(QStringLiteral("voltages/robots"), uint{maskOf(2) | maskOf(4)});
+    auto& view = *static_cast<ui::ThunderbotsView*>(rig.bench().systems().views().front().get());
+    ui::VoltagesPanel again(rig.bench(), view.choice());
+    std::set<int> robots;
+    for (const ui::PlotCurve& curve : again.findChild<ui::TimePlot*>()->state().curves)
+        robots.insert(curve.signal.unit);
+    EXPECT_EQ(robots, (std::set<int>{2, 4}));
 }
 
 TEST_F(VoltagesTest, SignalsAreChosenAndRemembered) {

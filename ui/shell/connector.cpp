@@ -40,6 +40,12 @@ void Connector::connectTo(const LinkUri& uri) {
     bench_.connectTo(uri);
 }
 
+void Connector::connectBeside(const LinkUri& uri) {
+    waitsForHardware_ = false;
+    remember(uri);
+    bench_.connectBeside(uri);
+}
+
 void Connector::askForLink() {
     auto* dialog = new QInputDialog(window_);
     dialog->setObjectName(QStringLiteral("linkDialog"));

@@ -26,6 +26,8 @@ class Connector final : public QObject {
     /// person.
     void connectToOnlyHardware() { waitsForHardware_ = true; }
     void connectTo(const LinkUri& uri);
+    /// As connectTo(), and what is connected stays.
+    void connectBeside(const LinkUri& uri);
     void askForLink();
     void lookAgain();
 

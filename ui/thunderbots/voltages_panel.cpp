@@ -34,6 +34,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kSignalsSetting = "voltages/signals";
 constexpr const char* kSpanSetting = "voltages/span_s";
+constexpr const char* kRobotsSetting = "voltages/robots";
 constexpr SignalMask kFirstSignals = bitOf(Signal::Battery_V) | bitOf(Signal::Capacitor_V);
 constexpr int kFirstSpan_s = 60;
 constexpr auto kNumbersInterval = 200ms;
@@ -61,6 +62,8 @@ VoltagesPanel::VoltagesPanel(Bench& bench, RobotChoice& choice, QWidget* parent)
       empty_(new QLabel(this)),
       message_(new QLabel(this)),
       signals_(bench.settings().value(kSignalsSetting, kFirstSignals).toUInt()) {
+    const QVariant pinned = bench.settings().value(kRobotsSetting);
+    if (pinned.isValid()) pinned_ = static_cast<RobotMask>(pinned.toUInt() & kAllRobots);
     build();
     plot_->setSpan(std::chrono::seconds(bench.settings().value(kSpanSetting, kFirstSpan_s).toInt()));
     plot_->setDescribeMark([this](const Mark& mark) { return markWords(mark, shownRobots_); });
@@ -294,6 +297,11 @@ void VoltagesPanel::refreshTools() {
 
 void VoltagesPanel::pin(std::optional<RobotMask> robots) {
     pinned_ = robots;
+    if (pinned_) {
+        bench().settings().setValue(kRobotsSetting, uint{*pinned_});
+    } else {
+        bench().settings().remove(kRobotsSetting);
+    }
     refresh();
 }
 
