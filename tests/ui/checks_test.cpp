@@ -7,6 +7,8 @@
 #include <QJsonDocument>
 #include <QLabel>
 #include <QMenu>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -177,6 +179,30 @@ TEST_F(ChecksTest, LimitsGoToAFileAndComeBackFromIt) {
         return rig.find<ui::SignedSpinBox>(QStringLiteral("checks_least_drop_V"))->value() == 55;
     }));
 }
+
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+TEST_F(ChecksTest, TheReportIsPrinted) {
+    rig.clickRobot(0);
+    without({"wheels", "dribbler", "kicker", "leds"});
+    ASSERT_TRUE(press("checksStart"));
+    ASSERT_TRUE(waitForWords(QStringLiteral("Does robot 0 stand")));
+    ASSERT_TRUE(press("checksYes"));
+    ASSERT_TRUE(waitForWords(QStringLiteral("Robots that passed: 1 of 1")));
+    rig.find<QAction>(QStringLiteral("checksPrint"))->trigger();
+    auto* dialog = rig.find<QPrintDialog>(QStringLiteral("printDialog"));
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->isVisible());
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("paper.pdf"));
+    dialog->printer()->setOutputFormat(QPrinter::PdfFormat);
+    dialog->printer()->setOutputFileName(path);
+    dialog->done(QDialog::Accepted);
+    ASSERT_TRUE(waitUntil([&path] { return QFile::exists(path); }));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().startsWith("%PDF"));
+}
+#endif
 
 TEST_F(ChecksTest, TheReportIsSavedInEveryForm) {
     EXPECT_FALSE(button("checksReport")->isEnabled());

@@ -3,6 +3,7 @@
 #include "ui/thunderbots/drive_pad.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QLabel>
 #include <QSpinBox>
 #include <QTest>
@@ -118,6 +119,27 @@ TEST_F(PadTest, InTheOtherWayEachStickDrivesTheWheelsOfItsSide) {
     EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& b) {
         return b.wheels == std::array<std::int16_t, 4>{0, 0, 100, 100};
     }));
+    push(3, 0);
+    button("padBody")->click();
+    ASSERT_TRUE(waitUntil([this] { return !pad->awaitsNeutral(); }));
+    push(1, -1);
+    EXPECT_TRUE(waitForward());
+}
+
+TEST_F(PadTest, OneOfSeveralIsChosenAndOnlyThatDrives) {
+    pads.plugged.push_back({2, "Another pad", "0022", true});
+    auto* names = panel->findChild<QComboBox*>(QStringLiteral("pads"));
+    ASSERT_TRUE(waitUntil([names] { return names->count() == 2; }));
+    EXPECT_EQ(names->currentText(), QStringLiteral("Fake pad"));
+    names->setCurrentIndex(1);
+    emit names->activated(1);
+    ASSERT_TRUE(waitUntil([this] { return pad->chosen().id == 2 && pad->isThere(); }));
+    EXPECT_EQ(names->currentText(), QStringLiteral("Another pad"));
+    pads.plugged.erase(pads.plugged.begin() + 1);
+    ASSERT_TRUE(waitUntil([this] { return !pad->isThere(); }));
+    push(1, -1);
+    ASSERT_TRUE(look());
+    EXPECT_FALSE(rig.wire().last(3) && rig.wire().last(3)->run) << "the other one is not taken for it";
 }
 
 TEST_F(PadTest, OneThatIsLostBrakesAtOnceAndMustPassNeutralWhenItIsBack) {
@@ -275,6 +297,24 @@ TEST_F(PadTest, DeadZoneAndSpeedShapeWhatReachesTheWheels) {
     ASSERT_TRUE(look());
     constexpr std::array<std::int16_t, 4> kStill{};
     EXPECT_EQ(rig.wire().last(3).value_or(DriveBlock{}).wheels, kStill);
+}
+
+TEST_F(PadTest, TheCurveMakesTheMiddleOfAStickFiner) {
+    const auto half = [this](int bend_percent) {
+        panel->findChild<QSpinBox*>(QStringLiteral("padBend"))->setValue(bend_percent);
+        push(1, -0.55);
+        EXPECT_TRUE(look());
+        const int speed = rig.wire().last(3).value_or(DriveBlock{}).wheels[3];
+        push(1, 0);
+        EXPECT_TRUE(waitZero());
+        return speed;
+    };
+    panel->findChild<QSpinBox*>(QStringLiteral("padDeadZone"))->setValue(10);
+    const int straight = half(0);
+    const int bent = half(100);
+    EXPECT_GT(bent, 0);
+    EXPECT_LT(bent, straight);
+    EXPECT_EQ(rig.settings().value(QStringLiteral("gamepad/bend")).toDouble(), 1.0);
 }
 
 TEST_F(PadTest, WhileAnotherInputDrivesTheStickCountsForNothing) {

@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 
@@ -139,6 +141,30 @@ TEST_F(SimPanelTest, EachChosenRobotHasARow) {
     rig.clickRobot(9);
     EXPECT_TRUE(waitUntil([this] { return rig.find<QLabel>(QStringLiteral("simHint"))->isVisible(); }));
     EXPECT_EQ(rig.window().findChild<QWidget*>(QStringLiteral("sim-ball-9")), nullptr);
+}
+
+TEST_F(SimPanelTest, TheMenuOfTheBannerDoesTheSameToThoseThatAreChosen) {
+    QMenu* menu = rig.find<QPushButton>(QStringLiteral("simMenu"))->menu();
+    const auto entry = [](QMenu* in, const QString& text) {
+        emit in->aboutToShow();
+        for (QAction* action : in->actions()) {
+            if (action->text().contains(text)) return action;
+        }
+        return static_cast<QAction*>(nullptr);
+    };
+    QAction* ball = entry(menu, QStringLiteral("Ball"));
+    ASSERT_NE(ball, nullptr);
+    ASSERT_NE(ball->menu(), nullptr);
+    ball->menu()->actions().front()->trigger();
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return robot.readings.ball; }));
+    QAction* battery = entry(menu, QStringLiteral("Battery"));
+    ASSERT_NE(battery, nullptr);
+    battery->trigger();
+    auto* dialog = rig.window().findChild<QInputDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->setDoubleValue(13.5);
+    dialog->accept();
+    EXPECT_TRUE(waitForRobot([](const RobotState& robot) { return robot.readings.battery_V < 13.8; }));
 }
 
 TEST_F(SimPanelTest, EveryActionOfTheSimulatorHasAControl) {
