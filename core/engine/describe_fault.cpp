@@ -23,7 +23,7 @@ QString faultMeaning(const Fault& fault) {
 
 QString faultText(const Fault& fault) {
     if (!fault.known) return FaultWords::tr("Unknown fault code %1").arg(fault.code);
-    const QString meaning = faultMeaning(fault);
+    QString meaning = faultMeaning(fault);
     switch (fault.subject) {
         case FaultSubject::Motor:
             return FaultWords::tr("Motor %1: %2").arg(fault.index).arg(meaning);
