@@ -300,20 +300,23 @@ TEST_F(PadTest, DeadZoneAndSpeedShapeWhatReachesTheWheels) {
 }
 
 TEST_F(PadTest, TheCurveMakesTheMiddleOfAStickFiner) {
-    const auto half = [this](int bend_percent) {
-        panel->findChild<QSpinBox*>(QStringLiteral("padBend"))->setValue(bend_percent);
-        push(1, -0.55);
-        EXPECT_TRUE(look());
-        const int speed = rig.wire().last(3).value_or(DriveBlock{}).wheels[3];
-        push(1, 0);
-        EXPECT_TRUE(waitZero());
-        return speed;
-    };
     panel->findChild<QSpinBox*>(QStringLiteral("padDeadZone"))->setValue(10);
-    const int straight = half(0);
-    const int bent = half(100);
-    EXPECT_GT(bent, 0);
-    EXPECT_LT(bent, straight);
+    constexpr std::array<std::pair<int, int>, 2> kSpeedByBend_percent{{{0, 50}, {100, 13}}};
+    for (const auto& [bend_percent, speed] : kSpeedByBend_percent) {
+        panel->findChild<QSpinBox*>(QStringLiteral("padBend"))->setValue(bend_percent);
+        rig.wire().clear();
+        push(1, -0.55);
+        ASSERT_TRUE(look());
+        // Past the look the stick has been read; the ramp still has to reach what it asks for, and stay
+        // there.
+        EXPECT_TRUE(rig.waitForBlock(3, [speed = speed](const DriveBlock& b) {
+            return b.wheels[3] == speed;
+        })) << bend_percent;
+        ASSERT_TRUE(look());
+        EXPECT_EQ(rig.wire().last(3).value_or(DriveBlock{}).wheels[3], speed) << bend_percent;
+        push(1, 0);
+        ASSERT_TRUE(waitZero());
+    }
     EXPECT_EQ(rig.settings().value(QStringLiteral("gamepad/bend")).toDouble(), 1.0);
 }
 

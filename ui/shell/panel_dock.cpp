@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kHeaderHeight = 36;
 constexpr int kHeaderFontSize = 12;
-/// What there is for a panel in the middle of the smallest window, 1280 × 800.
+/// What there is for a panel in the middle of the smallest screen, 1280 × 800, under a title bar.
 constexpr int kMostLeastWidth = 600;
-constexpr int kMostLeastHeight = 272;
+constexpr int kMostLeastHeight = 232;
 
 /// A dock takes its title's height from the size hint alone.
 class PanelHeader final : public QWidget {

@@ -25,7 +25,7 @@ constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
 constexpr int kAsideWidth = 276;
 constexpr int kWorkHeight = 360;
-constexpr int kLeastEventsHeight = 144;
+constexpr int kLeastEventsHeight = 120;
 /// Of what is left under the work panels.
 constexpr double kBottomShare = 0.33;
 
