@@ -171,6 +171,42 @@ TEST_F(LayoutTest, TheNextWindowStandsAsThisOneDid) {
     EXPECT_FALSE(dock("drive")->isHidden());
 }
 
+TEST_F(LayoutTest, ALargerWindowLeavesTheTilesAsWideAsTheyWere) {
+    ASSERT_TRUE(resizeTo({1280, 800}));
+    const auto* robots = rig.find<ui::PanelDock>(QStringLiteral("robots"));
+    const auto* drive = rig.find<ui::PanelDock>(QStringLiteral("drive"));
+    const int tiles = robots->width();
+    const int work = drive->width();
+    ASSERT_TRUE(resizeTo({1680, 1000}));
+    EXPECT_TRUE(waitUntil([&] { return robots->width() == tiles && drive->width() > work; }))
+        << tiles << " became " << robots->width();
+}
+
+TEST_F(LayoutTest, TheNextWindowsPanelsAreAsLargeAsTheyWereLeft) {
+    ASSERT_TRUE(resizeTo({1440, 1000}));
+    ui::Workbench& bench = rig.window().workbench();
+    auto* robots = rig.find<ui::PanelDock>(QStringLiteral("robots"));
+    auto* events = rig.find<ui::PanelDock>(QStringLiteral("events"));
+    bench.resizeDocks({robots, events}, {360, bench.width() - 360}, Qt::Horizontal);
+    ASSERT_TRUE(waitUntil([robots] { return robots->width() > 340; })) << robots->width();
+    std::map<QString, QSize> left;
+    for (const ui::PanelDock* dock : bench.docks()) {
+        if (!dock->isHidden() && dock->geometry().right() >= 0) left[dock->objectName()] = dock->size();
+    }
+    ASSERT_GT(left.size(), 4u);
+    rig.window().close();
+    ui::MainWindow next(rig.bench(), rig.theme());
+    next.show();
+    next.workbench().makePanels();
+    for (const ui::PanelDock* dock : next.workbench().docks()) {
+        if (left.count(dock->objectName()) == 0) continue;
+        const QSize was = left[dock->objectName()];
+        EXPECT_TRUE(waitUntil([dock, was] { return dock->size() == was; }))
+            << dock->objectName().toStdString() << " is " << dock->width() << " x " << dock->height()
+            << " and was " << was.width() << " x " << was.height();
+    }
+}
+
 TEST_F(LayoutTest, TheLastLinkIsOfferedAgain) {
     ui::Connector* connector = &rig.window().connector();
     connector->connectTo(*parseLinkUri("sim:thunderbots?robots=0-2"));

@@ -10,14 +10,12 @@
 #include "ui/shell/bench.h"
 #include "ui/shell/sim_action_control.h"
 #include "ui/shell/system_view.h"
+#include "ui/widgets/flow_layout.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
 
 namespace {
-
-/// Pairs of a name and a control, side by side, for what concerns everything.
-constexpr int kPairs = 2;
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -26,15 +24,17 @@ QLabel* heading(const QString& text, QWidget* parent) {
     return label;
 }
 
-/// Takes away everything that a widget shows, and gives it a fresh grid.
-QGridLayout* clean(QWidget* place) {
+/// Takes away everything that a widget shows.
+void clean(QWidget* place) {
     qDeleteAll(place->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
     delete place->layout();
-    auto* grid = new QGridLayout(place);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(metrics::kPadding);
-    grid->setVerticalSpacing(6);
-    return grid;
+}
+
+FlowLayout* makeFlow(QWidget* place) {
+    auto* flow = new FlowLayout(place);
+    flow->setContentsMargins(0, 0, 0, 0);
+    flow->setSpacing(metrics::kPadding);
+    return flow;
 }
 
 }  // namespace
@@ -119,17 +119,35 @@ void SimPanel::build() {
 }
 
 void SimPanel::addUnits() {
-    QGridLayout* grid = clean(units_);
+    clean(units_);
     units_->setVisible(!shape_.units.empty());
-    if (shape_.units.empty()) return;
-    const SystemView& view = *bench().view();
+    if (shape_.units.size() == 1) addOneUnit();
+    if (shape_.units.size() > 1) addTable();
+}
+
+/// One has the panel's whole width, in as many lines as that takes.
+void SimPanel::addOneUnit() {
+    FlowLayout* flow = makeFlow(units_);
+    flow->addWidget(unitName(shape_.units.front()));
+    for (std::size_t at = 0; at < shape_.actions.size(); ++at) {
+        if (shape_.actions[at].perUnit && shape_.has.front()[at])
+            flow->addWidget(addField(shape_.actions[at], shape_.units.front()));
+    }
+}
+
+/// Several are compared: a row each, a column for each action.
+void SimPanel::addTable() {
+    auto* grid = new QGridLayout(units_);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(metrics::kPadding);
+    grid->setVerticalSpacing(6);
     int column = 1;
     for (std::size_t at = 0; at < shape_.actions.size(); ++at) {
         const SimAction& action = shape_.actions[at];
         const bool any =
             std::any_of(shape_.has.begin(), shape_.has.end(), [at](const auto& has) { return has[at]; });
         if (!action.perUnit || !any) continue;
-        grid->addWidget(heading(view.actionText(action), units_), 0, column);
+        grid->addWidget(heading(bench().view()->actionText(action), units_), 0, column);
         for (std::size_t unit = 0; unit < shape_.units.size(); ++unit) {
             if (shape_.has[unit][at])
                 grid->addWidget(add(action, shape_.units[unit]), static_cast<int>(unit) + 1, column);
@@ -137,28 +155,34 @@ void SimPanel::addUnits() {
         ++column;
     }
     int row = 1;
-    for (const int unit : shape_.units) {
-        auto* name = new QLabel(view.unitText(unit), units_);
-        name->setFont(textFont(metrics::kTextSize, QFont::DemiBold));
-        grid->addWidget(name, row++, 0);
-    }
+    for (const int unit : shape_.units)
+        grid->addWidget(unitName(unit), row++, 0);
     grid->setColumnStretch(column, 1);
 }
 
 void SimPanel::addShared() {
-    QGridLayout* grid = clean(shared_);
+    clean(shared_);
     shared_->setVisible(shape_.session != 0);
-    int place = 0;
+    FlowLayout* flow = makeFlow(shared_);
     for (const SimAction& action : shape_.actions) {
-        if (action.perUnit) continue;
-        const int row = place / kPairs;
-        const int column = place % kPairs * 2;
-        auto* name = new QLabel(bench().view()->actionText(action), shared_);
-        grid->addWidget(name, row, column);
-        grid->addWidget(add(action, -1), row, column + 1);
-        ++place;
+        if (!action.perUnit) flow->addWidget(addField(action, -1));
     }
-    grid->setColumnStretch(2 * kPairs - 1, 1);
+}
+
+QLabel* SimPanel::unitName(int unit) const {
+    auto* name = new QLabel(bench().view()->unitText(unit), units_);
+    name->setFont(textFont(metrics::kTextSize, QFont::DemiBold));
+    return name;
+}
+
+QWidget* SimPanel::addField(const SimAction& action, int unit) {
+    auto* field = new QWidget(unit < 0 ? shared_ : units_);
+    auto* column = new QVBoxLayout(field);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::kGap / 2);
+    column->addWidget(heading(bench().view()->actionText(action), field));
+    column->addWidget(add(action, unit));
+    return field;
 }
 
 SimActionControl* SimPanel::add(const SimAction& action, int unit) {

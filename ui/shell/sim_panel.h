@@ -7,7 +7,6 @@
 #include "core/link/sim_action.h"
 #include "ui/shell/panel.h"
 
-class QGridLayout;
 class QLabel;
 
 namespace kickstand::ui {
@@ -35,7 +34,12 @@ class SimPanel final : public Panel {
     Shape shapeNow() const;
     void build();
     void addUnits();
+    void addOneUnit();
+    void addTable();
     void addShared();
+    QLabel* unitName(int unit) const;
+    /// A control under its name.
+    QWidget* addField(const SimAction& action, int unit);
     SimActionControl* add(const SimAction& action, int unit);
     void perform(const SimAction& action, int unit, double value);
     void showAnswer(const Result<void>& result);

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QLayout>
 #include <QSettings>
+#include <QStyle>
 #include <QTimer>
 #include <initializer_list>
 #include <utility>
@@ -100,6 +101,7 @@ void Workbench::addPanel(const PanelEntry& entry, const SystemView* owner) {
     connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
         if (visible && shown_) dock->panel();
     });
+    if (entry.place == PanelPlace::Side) dock->installEventFilter(this);
     docks_.push_back(dock);
     places_.push_back(entry.place);
     owners_.push_back(owner);
@@ -179,14 +181,43 @@ void Workbench::sizePanels() {
 void Workbench::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     if (std::exchange(shown_, true)) return;
+    // Only now is there a size to share out: what was restored before was squeezed into less.
+    restoreLayout();
     makeFrontPanels();
-    // Only now is there a size to share out.
     if (!std::exchange(sized_, true)) {
         sizePanels();
         raiseFirst();
     }
     // The others can wait until there is something to look at.
     connect(new FirstPaint(*this), &FirstPaint::painted, this, &Workbench::makeNextPanelSoon);
+}
+
+void Workbench::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    keepSideWidth();
+    fittedWidth_ = width();
+}
+
+/// A larger window is for the work, not for wider tiles.
+void Workbench::keepSideWidth() {
+    const QList<QDockWidget*> side = docksAt(PanelPlace::Side);
+    const QList<QDockWidget*> bottom = docksAt(PanelPlace::Bottom);
+    if (sideWidth_ == 0 || side.isEmpty() || bottom.isEmpty()) return;
+    const auto stands = [this](QDockWidget* dock, Qt::DockWidgetArea area) {
+        return !dock->isHidden() && !dock->isFloating() && dockWidgetArea(dock) == area;
+    };
+    if (!stands(side.front(), Qt::LeftDockWidgetArea) || !stands(bottom.front(), Qt::RightDockWidgetArea))
+        return;
+    const int gap = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+    const int rest = contentsRect().width() - gap - sideWidth_;
+    if (rest > 0) resizeDocks({side.front(), bottom.front()}, {sideWidth_, rest}, Qt::Horizontal);
+}
+
+bool Workbench::eventFilter(QObject* watched, QEvent* event) {
+    // What the layout does while the window changes its size is not what a person wanted.
+    if (event->type() == QEvent::Resize && shown_ && width() == fittedWidth_)
+        sideWidth_ = static_cast<QWidget*>(watched)->width();
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void Workbench::makeFrontPanels() {
@@ -234,7 +265,7 @@ void Workbench::restoreLayout() {
             if (owners_[i] == view.get()) withheld_.insert(docks_[i]);
         }
     }
-    followSystem();
+    followSession();
 }
 
 void Workbench::saveLayout() const {

@@ -30,6 +30,8 @@ class Workbench final : public QMainWindow {
   protected:
     QMenu* createPopupMenu() override { return nullptr; }
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void addPanels();
@@ -39,6 +41,7 @@ class Workbench final : public QMainWindow {
     void followSystem();
     void placePanels();
     void sizePanels();
+    void keepSideWidth();
     void raiseFirst();
     void go(const QString& panel, const QString& detail);
     void followSession();
@@ -54,6 +57,8 @@ class Workbench final : public QMainWindow {
     std::set<PanelDock*> withheld_;          ///< To be shown when their system is at work.
     const SystemView* shownSystem_ = nullptr;
     PanelDock* simulated_ = nullptr;  ///< There only for simulated links.
+    int sideWidth_ = 0;               ///< As a person left it; 0 before that is known.
+    int fittedWidth_ = 0;             ///< That the panels were laid out for.
     bool sized_ = false;              ///< Sizes are those that a person left.
     bool shown_ = false;              ///< The window has been there.
 };
