@@ -22,13 +22,37 @@ stage() {
     done < <(grep -E '^([0-9]+% tests passed|Total Test time)' "$log")
 }
 
-# preset NAME [LAUNCHER...] : configures, builds and tests one of CMakePresets.json, the tests under the launcher.
-preset() {
+# build NAME : configures and builds one of CMakePresets.json.
+build() {
+    stage "$1 configure" cmake --preset "$1"
+    stage "$1 build" cmake --build --preset "$1" --parallel "$(nproc)"
+}
+
+# tests NAME [LAUNCHER...] : runs the tests of a preset, under the launcher.
+tests() {
     local name="$1"
     shift
-    stage "$name configure" cmake --preset "$name"
-    stage "$name build" cmake --build --preset "$name" --parallel "$(nproc)"
     stage "$name tests" "$@" ctest --preset "$name" --parallel "$(nproc)"
+}
+
+# Tests of windows and programs mostly wait: clang-tidy takes what they leave of the processors.
+tidy=""
+begin_tidy() {
+    say "clang-tidy: begins beside the tests"
+    setsid nice -n 19 packaging/lint.sh --tidy-only core >"$logs/clang-tidy.log" 2>&1 &
+    tidy=$!
+    trap 'kill -- "-$tidy" 2>/dev/null || true' EXIT
+}
+
+end_tidy() {
+    local began="$SECONDS"
+    say "clang-tidy: waiting for the rest of it"
+    wait "$tidy" || {
+        cat "$logs/clang-tidy.log"
+        die "clang-tidy failed; its output is above and in $logs/clang-tidy.log"
+    }
+    trap - EXIT
+    summary+=("$(printf '%5d s  clang-tidy, beyond the dev tests' $((SECONDS - began)))")
 }
 
 install_packages packaging/packages-run.txt packaging/packages-test.txt
@@ -36,11 +60,13 @@ mkdir -p "$logs"
 use_ccache
 
 stage "format" packaging/lint.sh --format-only
-preset dev
-if [ "${KICKSTAND_TIDY:-1}" = 1 ]; then
-    stage "clang-tidy" packaging/lint.sh --tidy-only core
+build dev
+[ "${KICKSTAND_TIDY:-1}" = 0 ] || begin_tidy
+tests dev
+if [ -n "$tidy" ]; then
+    end_tidy
 else
-    summary+=("       -    clang-tidy: left out (KICKSTAND_TIDY=${KICKSTAND_TIDY:-1})")
+    summary+=("       -    clang-tidy: left out (KICKSTAND_TIDY=$KICKSTAND_TIDY)")
 fi
 
 # Kernels that scatter addresses widely leave the sanitizers of g++ 12 no room for their shadow memory.
@@ -48,8 +74,10 @@ fixed_addresses=()
 if setarch -R true 2>/dev/null; then
     fixed_addresses=(setarch -R)
 fi
-preset asan "${fixed_addresses[@]}"
-preset tsan "${fixed_addresses[@]}"
+for sanitizer in asan tsan; do
+    build "$sanitizer"
+    tests "$sanitizer" "${fixed_addresses[@]}"
+done
 
 say "Every stage passed"
 printf '%s\n' "${summary[@]}"
