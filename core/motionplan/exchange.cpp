@@ -88,9 +88,16 @@ void Exchange::abort(Errc code) {
     if (!done()) finish(fail(code, wire::name(request_.message.kind)));
 }
 
+void Exchange::withhold(Error why) {
+    outgoing_.reset();
+    attempts_ = std::max(attempts_ - 1, 0);
+    finish(fail(std::move(why)));
+}
+
 void Exchange::send(TimePoint now) {
     outgoing_ = request_.message;
     ++attempts_;
+    echoed_ = false;
     enter(Phase::Echo, now + kEchoLimit);
 }
 
@@ -110,10 +117,29 @@ void Exchange::emptied(TimePoint now) {
 }
 
 void Exchange::echoed(TimePoint now) {
-    if (request_.message.kind == MessageKind::Query)
-        enter(Phase::Answer, now + kEchoLimit);
-    else
-        enter(Phase::Verdict, now + kVerdictLimit);
+    oddCopy_.reset();
+    switch (request_.message.kind) {
+        case MessageKind::Query:
+            enter(Phase::Answer, now + kEchoLimit);
+            break;
+        case MessageKind::Create:
+        case MessageKind::Update:
+            // An error that follows may be lost: what is in the slot then tells.
+            if (phase_ != Phase::SlotAnswer) askSlot(now);
+            break;
+        case MessageKind::Adjust:
+            // The same: a robot that goes on executing says so.
+            enter(Phase::Status, now + kStatusLimit);
+            break;
+        default:
+            enter(Phase::Verdict, now + kVerdictLimit);
+            break;
+    }
+}
+
+void Exchange::askSlot(TimePoint now) {
+    slotQueries_ = std::max(slotQueries_, 1);
+    enter(Phase::Drain, now + kDrainLimit);
 }
 
 bool Exchange::takeError(int code) {
@@ -129,22 +155,35 @@ bool Exchange::takeError(int code) {
 
 bool Exchange::takeStatus(const wire::Message& status) {
     const wire::Message& asked = request_.message;
-    if (asked.kind == MessageKind::Execute && status.step > 0 && status.plan == asked.plan &&
-        status.slot == asked.slot) {
+    const bool idle = status.step == 0;
+    const bool same = !idle && status.plan == asked.plan && status.slot == asked.slot;
+    // After its copy the robot's rest can only be the end of what was started.
+    const bool ended = idle && echoed_;
+    if (asked.kind == MessageKind::Execute && (same || ended)) {
+        planEnded_ = ended;
         finish({});
         return true;
     }
-    if (asked.kind == MessageKind::Stop && status.step == 0 && phase_ == Phase::Verdict) {
+    if (asked.kind == MessageKind::Stop && idle && phase_ == Phase::Verdict) {
         finish({});
         return true;
     }
+    // It confirms, and is news all the same.
+    if (asked.kind == MessageKind::Adjust && echoed_ && (same || ended)) finish({});
     return false;
 }
 
-void Exchange::differs(ByteView got) {
+void Exchange::differs(const std::string& got) {
     finish(fail({.code = Errc::EchoDiffers,
                  .subject = wire::name(request_.message.kind),
-                 .detail = "sent " + toHex(bytes_.view()) + ", got " + hexOrNothing(got)}));
+                 .detail = "sent " + toHex(bytes_.view()) + ", got " + got}));
+}
+
+void Exchange::giveUp(Errc code) {
+    if (oddCopy_)
+        differs(*oddCopy_);
+    else
+        finish(fail(code, wire::name(request_.message.kind)));
 }
 
 bool Exchange::received(ByteView bytes, TimePoint now) {
@@ -157,18 +196,32 @@ bool Exchange::received(ByteView bytes, TimePoint now) {
         return copy;
     }
     if (copy) {
-        if (phase_ != Phase::Answer && phase_ != Phase::Verdict) echoed(now);
+        if (!std::exchange(echoed_, true)) echoed(now);
         return true;
     }
     const auto message = wire::decodeMessage(bytes);
     if (message && message->kind == MessageKind::Error) return takeError(message->error);
     if (message && message->kind == MessageKind::Status) return takeStatus(*message);
-    if (message && message->kind == MessageKind::Query) return takeQuery(*message, now);
-    if (phase_ != Phase::Echo || request_.message.kind == MessageKind::Trigger || isLate_(bytes))
-        return false;
-    // A copy of what was sent, and not the same: the robot has understood something else.
-    if (!bytes.empty() && bytes[0] != bytes_[0]) return false;
-    differs(bytes);
+    if (message && message->kind == MessageKind::Query && takeQuery(*message, now)) return true;
+    return takeOddCopy(bytes, message);
+}
+
+bool Exchange::takeOddCopy(ByteView bytes, const Result<wire::Message>& message) {
+    const MessageKind kind = request_.message.kind;
+    const bool awaited = !echoed_ || phase_ == Phase::Answer;
+    if (!awaited || kind == MessageKind::Trigger || isLate_(bytes)) return false;
+    if (message && message->kind == MessageKind::Query) {
+        // Of a slot that was asked for before: late. What else may name another slot is a query's.
+        wire::Message asked = *message;
+        asked.plan = wire::kDummyPlan;
+        const auto query = wire::encodeMessage(asked);
+        if (kind != MessageKind::Query || (query && isLate_(query->view()))) return false;
+    }
+    oddCopy_ = hexOrNothing(bytes);
+    // The robot has understood something else. A query may be asked again, and Stop has to be.
+    const std::uint8_t first = bytes.empty() ? 0 : bytes[0];
+    if (request_.urgent || kind == MessageKind::Query || first != bytes_[0]) return false;
+    differs(*oddCopy_);
     return true;
 }
 
@@ -209,16 +262,35 @@ void Exchange::slotKnown(int plan, TimePoint now) {
     answeredPlan_ = plan;
     slotQueries_ = 0;
     const wire::Message& asked = request_.message;
-    const bool create = asked.kind == MessageKind::Create;
-    if (create && plan == asked.plan)
-        finish({});
-    else if (plan == (create ? wire::kNoPlan : asked.plan))
-        attempts_ < attemptsAllowed() ? enter(Phase::Drain, now + kDrainLimit)
-                                      : finish(fail(Errc::Unconfirmed, wire::name(asked.kind)));
-    else if (create)
-        finish(refusal(wire::kErrorSlotFull));
+    const bool own = plan == asked.plan;
+    const bool empty = plan == wire::kNoPlan;
+    switch (asked.kind) {
+        case MessageKind::Create:
+            if (own)
+                oddCopy_ ? differs(*oddCopy_) : finish({});
+            else
+                empty ? sendAgain(now) : finish(refusal(wire::kErrorSlotFull));
+            break;
+        case MessageKind::Update:
+            if (own)
+                echoed_ ? finish({}) : sendAgain(now);
+            else
+                finish(refusal(empty ? wire::kErrorUpdateEmptySlot : wire::kErrorUpdateOtherPlan));
+            break;
+        default:
+            if (own)
+                finish({});
+            else
+                finish(refusal(empty ? wire::kErrorExecuteEmptySlot : wire::kErrorExecuteOtherPlan));
+            break;
+    }
+}
+
+void Exchange::sendAgain(TimePoint now) {
+    if (attempts_ < attemptsAllowed())
+        enter(Phase::Drain, now + kDrainLimit);
     else
-        finish(refusal(plan == wire::kNoPlan ? wire::kErrorUpdateEmptySlot : wire::kErrorUpdateOtherPlan));
+        giveUp(Errc::Unconfirmed);
 }
 
 void Exchange::unanswered(TimePoint now) {
@@ -234,17 +306,16 @@ void Exchange::unanswered(TimePoint now) {
         enter(Phase::Status, now + kStatusLimit);
     } else if (kind == MessageKind::Create || kind == MessageKind::Update) {
         // Whether it came is asked for before it is sent again.
-        slotQueries_ = 1;
-        enter(Phase::Drain, now + kDrainLimit);
+        askSlot(now);
     } else if (attempts_ < attemptsAllowed()) {
         if (request_.urgent || kind == MessageKind::Trigger)
             send(now);
         else
             enter(Phase::Drain, now + kDrainLimit);
     } else if (kind == MessageKind::Trigger && hasTriggerContent_) {
-        differs(triggerContent_.view());
+        differs(hexOrNothing(triggerContent_.view()));
     } else {
-        finish(fail(kind == MessageKind::Query ? Errc::TimedOut : Errc::Unconfirmed, wire::name(kind)));
+        giveUp(kind == MessageKind::Query ? Errc::TimedOut : Errc::Unconfirmed);
     }
 }
 
@@ -252,25 +323,25 @@ void Exchange::tick(TimePoint now) {
     if (done() || now < deadline_) return;
     switch (phase_) {
         case Phase::Drain:
-            // The outbox cannot be read, or never ends: nothing was sent.
-            finish(
-                fail(attempts_ == 0 ? Errc::TimedOut : Errc::Unconfirmed, wire::name(request_.message.kind)));
+            // The outbox cannot be read, or never ends.
+            giveUp(attempts_ == 0 ? Errc::TimedOut : Errc::Unconfirmed);
             break;
         case Phase::Echo:
         case Phase::Answer:
             unanswered(now);
             break;
         case Phase::Verdict:
-            finish({});
+            // Where no status says that it executes its error may be lost: what is in the slot then tells.
+            request_.message.kind == MessageKind::Execute ? askSlot(now) : finish({});
             break;
         case Phase::SlotAnswer:
             if (++slotQueries_ <= kAttempts)
                 enter(Phase::Drain, now + kDrainLimit);
             else
-                finish(fail(Errc::Unconfirmed, wire::name(request_.message.kind)));
+                giveUp(Errc::Unconfirmed);
             break;
         case Phase::Status:
-            finish(fail(Errc::Unconfirmed, wire::name(request_.message.kind)));
+            giveUp(Errc::Unconfirmed);
             break;
         case Phase::Done:
             break;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "core/base/time.h"
 #include "core/motionplan/wire/message.h"
@@ -14,8 +15,9 @@ Error refusalError(Errc code, int errorCode);
 
 /// One request to the robot, from before it is sent until it is confirmed or given up (protocol 6.1, 6.2). No
 /// message has a sequence number: what is left from before is drained first, and then the robot's copy of the
-/// message is waited for. What may be sent again is; Execute and Adjust never are. Pure: told what comes and
-/// what time it is, it says what to send. Not thread-safe.
+/// message is waited for; what would show that the robot refused, if its error was lost, is looked at after
+/// that. What may be sent again is; Execute and Adjust never are. Pure: told what comes and what time it is,
+/// it says what to send. Not thread-safe.
 class Exchange {
   public:
     // How long for each is waited (protocol 6.1, 6.2).
@@ -42,14 +44,16 @@ class Exchange {
     /// Of one that is done. Errors: commands.h.
     const Result<void>& result() const { return result_; }
     int attempts() const { return attempts_; }
-    /// Of a query that was answered: the plan in the slot. Of a Create or Update whose slot was asked for
-    /// too.
+    /// Of a query that was answered: the plan in the slot. Of a Create, Update or Execute whose slot was asked
+    /// for too.
     std::optional<int> answeredPlan() const { return answeredPlan_; }
     /// The trigger plan as it was read; empty where there is none.
     const wire::MessageBytes& triggerContent() const { return triggerContent_; }
     bool hasTriggerContent() const { return hasTriggerContent_; }
     /// Stop was confirmed by the robot's word that nothing executed.
     bool wasIdle() const { return wasIdle_; }
+    /// Execute was confirmed by the robot's word that what it had started is over.
+    bool planEnded() const { return planEnded_; }
 
     /// What is to be written now, if anything; asked for after every call below, each message given once.
     std::optional<wire::Message> takeMessage();
@@ -68,6 +72,8 @@ class Exchange {
     void tick(TimePoint now);
     /// Ends it with this error.
     void abort(Errc code);
+    /// What takeMessage() gave, or would have given, is not sent after all.
+    void withhold(Error why);
 
   private:
     enum class Phase : std::uint8_t { Drain, Echo, Answer, Verdict, SlotAnswer, Status, Done };
@@ -81,7 +87,11 @@ class Exchange {
     bool takeQuery(const wire::Message& message, TimePoint now);
     bool takeError(int code);
     bool takeStatus(const wire::Message& status);
-    void differs(ByteView got);
+    bool takeOddCopy(ByteView bytes, const Result<wire::Message>& message);
+    void askSlot(TimePoint now);
+    void sendAgain(TimePoint now);
+    void differs(const std::string& got);
+    void giveUp(Errc code);
     bool neverAgain() const;
     int attemptsAllowed() const;
 
@@ -89,6 +99,8 @@ class Exchange {
     std::function<bool(ByteView)> isLate_;
     bool leftovers_;  ///< Nothing that comes confirms it before the outbox was empty once.
     bool copySeen_ = false;
+    bool echoed_ = false;                   ///< The copy of what was sent last has come.
+    std::optional<std::string> oddCopy_{};  ///< What came in its place, as hex.
     wire::MessageBytes bytes_;
     Phase phase_ = Phase::Drain;
     TimePoint deadline_{};
@@ -99,6 +111,7 @@ class Exchange {
     wire::MessageBytes triggerContent_;
     bool hasTriggerContent_ = false;
     bool wasIdle_ = false;
+    bool planEnded_ = false;
     Result<void> result_{};
 };
 

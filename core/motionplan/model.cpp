@@ -104,6 +104,8 @@ void Model::stopped(bool wasIdle, TimePoint now) {
 }
 
 void Model::idle(TimePoint now) {
+    // Of before the start that was just asked for, where that is not confirmed yet.
+    if (execution_.state == Execution::State::Asked) return;
     if (execution_.state == Execution::State::Runs)
         raise(EventKind::Ended, now, execution_.slot, execution_.plan);
     execution_ = {};
@@ -111,8 +113,7 @@ void Model::idle(TimePoint now) {
 
 void Model::status(const wire::Message& status, TimePoint now) {
     if (status.step == 0) {
-        // Of before the start that was just asked for, where that is not confirmed yet.
-        if (execution_.state != Execution::State::Asked) idle(now);
+        idle(now);
         return;
     }
     const bool same = execution_.plan == status.plan && execution_.slot == status.slot;

@@ -129,13 +129,18 @@ void Session::tellMalformed(TimePoint now) {
     raise(EventKind::Malformed, std::exchange(malformed_, 0), 0, malformedText_);
 }
 
-bool Session::maySend(const wire::Message& message) {
-    const bool starts = message.kind == MessageKind::Execute || message.kind == MessageKind::Adjust;
+Result<void> Session::maySend(const wire::Message& message) {
+    const bool execute = message.kind == MessageKind::Execute;
+    const bool adjust = message.kind == MessageKind::Adjust;
     const bool harmless = message.kind == MessageKind::Stop || message.kind == MessageKind::Query;
-    if (!harmless && host_.stop.isSet()) return false;
-    if (starts) startedHere_ = true;
-    if (message.kind == MessageKind::Execute) model_.executeSent(message, host_.scheduler.now());
-    return true;
+    if (harmless) return {};
+    if (host_.stop.isSet()) return fail(Errc::StopLatched);
+    // Whatever was so when it was asked for: it may have waited behind what has changed that.
+    if (execute && active()) return fail(Errc::PlanExecuting);
+    if (auto fits = adjust ? checkAdjust(message) : checkSlot(message); !fits) return fits;
+    if (execute || adjust) startedHere_ = true;
+    if (execute) model_.executeSent(message, host_.scheduler.now());
+    return {};
 }
 
 void Session::halt() {
@@ -175,11 +180,12 @@ void Session::heard(const wire::Message& message, bool belonged) {
         const bool ofStop = belonged && message.step == 0;
         if (!ofStop) model_.status(message, now);
     } else if (message.kind == MessageKind::Query && message.plan != wire::kDummyPlan) {
-        model_.slotRead(message.slot, message.plan, now);
+        // What belongs to a request is known with its end.
+        if (!belonged) model_.slotRead(message.slot, message.plan, now);
     } else if (message.kind == MessageKind::Error) {
         if (message.error == wire::kErrorStopIdle || message.error == wire::kErrorAdjustIdle)
             model_.idle(now);
-        // What belongs to a request is told with its end.
+        // And told with it.
         if (!belonged) raise(EventKind::Refused, message.error, 1);
     }
 }

@@ -64,9 +64,12 @@ class Session {
     /// Asks for the slot first where it is not known, then sends it if the robot would take it.
     void sendToSlot(CommandId id, const wire::Message& message);
     void sendKnown(CommandId id, const wire::Message& message);
-    /// What the robot would refuse, by its own error code (protocol 4.10).
+    /// What the robot would refuse, by its own error code (protocol 4.10), as far as the slot is known.
     Result<void> checkSlot(const wire::Message& message) const;
+    /// The same for Adjust.
+    Result<void> checkAdjust(const wire::Message& message) const;
     void submit(CommandId id, Exchange::Request request);
+    void answer(CommandId id, const Result<void>& result);
     void ended(const Exchange& exchange);
     void tellFailure(const Exchange& exchange);
     /// Forgets what a failed request may have changed.
@@ -80,7 +83,8 @@ class Session {
     void presence(bool present);
     void lost();
     void close();
-    bool maySend(const wire::Message& message);
+    /// Errors: StopLatched; what it would be refused with, as far as is known now.
+    Result<void> maySend(const wire::Message& message);
     void heard(const wire::Message& message, bool belonged);
     void answering(int missed);
     void tellMalformed(TimePoint now);
@@ -96,6 +100,7 @@ class Session {
     ByteLinkInfo port_;
     bool answers_ = false;
     std::uint8_t nxtStatus_;
+    std::optional<CommandId> startAsked_;  ///< The Execute that is not answered yet.
     bool startedHere_ = false;  ///< A plan was started or adjusted by this session.
     bool heartbeatFresh_ = false;
     bool ending_ = false;

@@ -35,7 +35,7 @@ Result<wire::Message> withMovements(wire::Message message, const std::vector<wir
 void Session::execute(CommandId id, const Command& command) {
     ++version_;
     if (auto taken = checkTaken(command); !taken) {
-        host_.answer(id, taken);
+        answer(id, taken);
         return;
     }
     std::visit([this, id](const auto& one) { perform(id, one); }, command);
@@ -53,26 +53,27 @@ Result<void> Session::checkTaken(const Command& command) const {
 void Session::perform(CommandId id, const CreatePlan& command) {
     const auto message =
         withMovements(planMessage(MessageKind::Create, command.plan, command.slot), command.movements);
-    message ? sendToSlot(id, *message) : host_.answer(id, fail(message.error()));
+    message ? sendToSlot(id, *message) : answer(id, fail(message.error()));
 }
 
 void Session::perform(CommandId id, const UpdatePlan& command) {
     const auto message =
         withMovements(planMessage(MessageKind::Update, command.plan, command.slot), command.movements);
-    message ? sendToSlot(id, *message) : host_.answer(id, fail(message.error()));
+    message ? sendToSlot(id, *message) : answer(id, fail(message.error()));
 }
 
 void Session::perform(CommandId id, const ExecutePlan& command) {
-    if (active()) {
-        host_.answer(id, fail(Errc::PlanExecuting));
+    if (active() || startAsked_) {
+        answer(id, fail(Errc::PlanExecuting));
         return;
     }
+    startAsked_ = id;
     sendToSlot(id, planMessage(MessageKind::Execute, command.plan, command.slot));
 }
 
 void Session::perform(CommandId id, const StopPlan&) {
     if (stopAskers_.size() >= Station::kQueue) {
-        host_.answer(id, fail(Errc::QueueFull));
+        answer(id, fail(Errc::QueueFull));
         return;
     }
     stopAskers_.push_back(id);
@@ -85,19 +86,19 @@ void Session::perform(CommandId id, const QuerySlot& command) {
 
 void Session::perform(CommandId id, const AdjustSpeed& command) {
     const Execution& execution = model_.execution();
-    if (execution.state != Execution::State::Runs) {
-        host_.answer(id, wouldBeRefused(wire::kErrorAdjustIdle));
-        return;
-    }
     wire::Message message = planMessage(MessageKind::Adjust, execution.plan, execution.slot);
     message.wheels = command.wheels;
     message.change_percent = command.change_percent;
+    if (auto fits = checkAdjust(message); !fits) {
+        answer(id, fits);
+        return;
+    }
     submit(id, {std::move(message)});
 }
 
 void Session::perform(CommandId id, const SetTrigger& command) {
     const auto message = withMovements(planMessage(MessageKind::Trigger, command.plan), command.movements);
-    message ? submit(id, {*message}) : host_.answer(id, fail(message.error()));
+    message ? submit(id, {*message}) : answer(id, fail(message.error()));
 }
 
 void Session::perform(CommandId id, const ReadTrigger&) {
@@ -107,7 +108,7 @@ void Session::perform(CommandId id, const ReadTrigger&) {
 void Session::sendToSlot(CommandId id, const wire::Message& message) {
     // What makes no message is refused before anything is asked.
     if (auto bytes = wire::encodeMessage(message); !bytes) {
-        host_.answer(id, fail(bytes.error()));
+        answer(id, fail(bytes.error()));
         return;
     }
     if (model_.slots()[static_cast<std::size_t>(message.slot)].known) {
@@ -118,25 +119,27 @@ void Session::sendToSlot(CommandId id, const wire::Message& message) {
     const auto queued = station_.submit(std::move(query), [this, id, message](const Exchange& exchange) {
         if (!exchange.result()) {
             tellFailure(exchange);
-            host_.answer(id, exchange.result());
+            answer(id, exchange.result());
             return;
         }
         ended(exchange);
         sendKnown(id, message);
     });
-    if (!queued) host_.answer(id, queued);
+    if (!queued) answer(id, queued);
 }
 
 void Session::sendKnown(CommandId id, const wire::Message& message) {
     if (auto fits = checkSlot(message); !fits) {
-        host_.answer(id, fits);
+        answer(id, fits);
         return;
     }
     submit(id, {message});
 }
 
 Result<void> Session::checkSlot(const wire::Message& message) const {
-    const int resident = model_.slots()[static_cast<std::size_t>(message.slot)].plan;
+    const SlotState& slot = model_.slots()[static_cast<std::size_t>(message.slot)];
+    if (!slot.known) return {};
+    const int resident = slot.plan;
     const bool empty = resident == wire::kNoPlan;
     switch (message.kind) {
         case MessageKind::Create:
@@ -156,36 +159,54 @@ Result<void> Session::checkSlot(const wire::Message& message) const {
     return {};
 }
 
+Result<void> Session::checkAdjust(const wire::Message& message) const {
+    const Execution& execution = model_.execution();
+    const bool runs = execution.state == Execution::State::Runs && execution.plan == message.plan &&
+                      execution.slot == message.slot;
+    return runs ? Result<void>() : wouldBeRefused(wire::kErrorAdjustIdle);
+}
+
+void Session::answer(CommandId id, const Result<void>& result) {
+    if (startAsked_ == id) startAsked_.reset();
+    host_.answer(id, result);
+}
+
 void Session::submit(CommandId id, Exchange::Request request) {
     if (!request.readsTrigger) {
         if (auto bytes = wire::encodeMessage(request.message); !bytes) {
-            host_.answer(id, fail(bytes.error()));
+            answer(id, fail(bytes.error()));
             return;
         }
     }
     const auto queued = station_.submit(std::move(request), [this, id](const Exchange& exchange) {
         ended(exchange);
-        host_.answer(id, exchange.result());
+        answer(id, exchange.result());
     });
-    if (!queued) host_.answer(id, queued);
+    if (!queued) answer(id, queued);
 }
 
 void Session::ended(const Exchange& exchange) {
     const TimePoint now = host_.scheduler.now();
     const wire::Message& message = exchange.request().message;
     ++version_;
-    if (message.kind == MessageKind::Execute) model_.executeEnded(exchange.result(), now);
+    if (message.kind == MessageKind::Execute) {
+        model_.executeEnded(exchange.result(), now);
+        if (exchange.planEnded()) model_.idle(now);
+    }
     if (!exchange.result()) {
         doubt(exchange);
         if (exchange.answeredPlan()) model_.slotRead(message.slot, *exchange.answeredPlan(), now);
         tellFailure(exchange);
         return;
     }
-    if (exchange.answeredPlan()) model_.slotRead(message.slot, *exchange.answeredPlan(), now);
     switch (message.kind) {
         case MessageKind::Create:
         case MessageKind::Update:
             model_.planPut(message, now);
+            break;
+        case MessageKind::Query:
+        case MessageKind::Execute:
+            if (exchange.answeredPlan()) model_.slotRead(message.slot, *exchange.answeredPlan(), now);
             break;
         case MessageKind::Adjust:
             raise(EventKind::Adjusted, static_cast<std::int64_t>(message.wheels), message.change_percent);

@@ -20,6 +20,7 @@ void Station::reset(Errc why) {
     sent_.clear();
     nextRead_ = {};
     drained_ = false;
+    lastError_.reset();
     endAll(why);
 }
 
@@ -31,7 +32,7 @@ void Station::endAll(Errc why) {
     }
     for (Waiting& waiting : queue) {
         Exchange never(std::move(waiting.request), {}, [](ByteView) { return false; });
-        never.abort(why);
+        never.withhold({.code = why, .subject = wire::name(never.request().message.kind)});
         waiting.done(never);
     }
 }
@@ -89,8 +90,8 @@ void Station::writeMessage(const wire::Message& message) {
 void Station::pump(TimePoint now) {
     while (current_) {
         if (const auto message = current_->takeMessage()) {
-            if (!hooks_.maySend(*message)) {
-                current_->abort(Errc::StopLatched);
+            if (auto may = hooks_.maySend(*message); !may) {
+                current_->withhold(std::move(may.error()));
             } else {
                 if (current_->attempts() > 1) ++counters_.resends;
                 writeMessage(*message);
@@ -179,6 +180,10 @@ void Station::take(const wire::ReadReply& reply, TimePoint now) {
 void Station::takeCommandBox(ByteView content, TimePoint now) {
     const bool belonged = current_ && current_->received(content, now);
     const auto message = wire::decodeMessage(content);
+    if (message && message->kind == wire::MessageKind::Error && isDoubled(message->error, belonged, now)) {
+        ++counters_.unexpected;
+        return;
+    }
     if (message)
         hooks_.message(*message, belonged);
     else if (!belonged)
@@ -187,6 +192,12 @@ void Station::takeCommandBox(ByteView content, TimePoint now) {
     const bool news =
         message && (message->kind == wire::MessageKind::Status || message->kind == wire::MessageKind::Error);
     if (message && !news && !belonged) ++counters_.unexpected;
+}
+
+bool Station::isDoubled(int error, bool belonged, TimePoint now) {
+    const bool again = std::exchange(lastError_, error) == error && now - lastErrorAt_ < kDoubledWithin;
+    lastErrorAt_ = now;
+    return again && !belonged;
 }
 
 std::optional<RequestState> Station::request() const {

@@ -20,9 +20,11 @@ class Station {
     /// What it is told and asked. All set, all outlive it.
     struct Hooks {
         std::function<Result<void>(ByteView)> write;
-        /// Whether a message may leave now: STOP is looked at here, at the last moment.
-        std::function<bool(const wire::Message&)> maySend;
-        /// Every message that the robot has put out, expected or not. `belonged`: to the exchange.
+        /// Whether a message may leave now: STOP, and what has changed while it waited, is looked at here, at
+        /// the last moment. The error is what it ends with.
+        std::function<Result<void>(const wire::Message&)> maySend;
+        /// Every message that the robot has put out, expected or not, but no doubled error. `belonged`: to the
+        /// exchange.
         std::function<void(const wire::Message&, bool belonged)> message;
         /// What a mailbox held that is no message.
         std::function<void(const Error&)> malformed;
@@ -37,6 +39,8 @@ class Station {
     static constexpr Duration kBusyPoll = std::chrono::milliseconds(60);
     static constexpr Duration kIdlePoll = std::chrono::milliseconds(250);
     static constexpr int kSilentAfter = 3;
+    /// An error that comes again so soon, unasked, is the same one doubled on its way.
+    static constexpr Duration kDoubledWithin = std::chrono::seconds(2);
     static constexpr std::size_t kQueue = 32;
 
     explicit Station(Hooks hooks) : hooks_(std::move(hooks)) {}
@@ -72,6 +76,7 @@ class Station {
     void endAll(Errc why);
     void read(TimePoint now);
     bool isLate(ByteView bytes) const;
+    bool isDoubled(int error, bool belonged, TimePoint now);
 
     Hooks hooks_;
     wire::TelegramParser parser_;
@@ -82,6 +87,8 @@ class Station {
     std::deque<wire::MessageBytes> sent_;  ///< The newest, to know late copies by.
     std::optional<TimePoint> readAt_;      ///< Of the read that is under way.
     bool readTriggerBox_ = false;
+    std::optional<int> lastError_;
+    TimePoint lastErrorAt_{};
     TimePoint nextRead_{};
     bool busy_ = false;
     int missed_ = 0;

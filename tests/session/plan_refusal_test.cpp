@@ -36,61 +36,6 @@ TEST(PlanRefusal, WhatTheRobotWouldRefuseIsNotSent) {
     EXPECT_EQ(rig.written(), (std::vector<std::string>{"05 ff 03"}));
 }
 
-/// A rig that believes something of slot 4 that another hand has changed since.
-struct Deceived : PlanRig {
-    /// The session thinks the slot is empty (0) or holds 9, the robot has `really`.
-    bool prepare(int believed, int really) {
-        if (!connect()) return false;
-        if (believed != 0 && !create(believed, 4)) return false;
-        if (believed == 0 && !ask(QuerySlot{4})) return false;
-        simulate("program", 0);
-        simulate("program", 1);
-        if (really == 0) return true;
-        wire::Message message;
-        message.kind = MessageKind::Create;
-        message.plan = really;
-        message.slot = 4;
-        message.movements = {0x01};
-        sim().program().command(wire::encodeMessage(message)->view(), scheduler().now());
-        advance(3s);
-        return state().slotStates[4].plan == believed;
-    }
-};
-
-TEST(PlanRefusal, EveryErrorCodeIsHandledAndExplained) {
-    const std::vector<wire::Movement> plan = PlanRig::kShort;
-    {
-        Deceived rig;
-        ASSERT_TRUE(rig.prepare(0, 5));
-        EXPECT_EQ(codeOf(rig.ask(CreatePlan{9, 4, plan}), Errc::PlanRefused), wire::kErrorSlotFull);
-        EXPECT_EQ(rig.count(EventKind::Refused), 1U);
-        // It is asked for again next time.
-        EXPECT_EQ(codeOf(rig.ask(CreatePlan{9, 4, plan}), Errc::WouldBeRefused), wire::kErrorSlotFull);
-        EXPECT_EQ(rig.state().slotStates[4].plan, 5);
-    }
-    {
-        Deceived rig;
-        ASSERT_TRUE(rig.prepare(9, 5));
-        EXPECT_EQ(codeOf(rig.ask(UpdatePlan{9, 4, plan}), Errc::PlanRefused), wire::kErrorUpdateOtherPlan);
-    }
-    {
-        Deceived rig;
-        ASSERT_TRUE(rig.prepare(9, 0));
-        EXPECT_EQ(codeOf(rig.ask(UpdatePlan{9, 4, plan}), Errc::PlanRefused), wire::kErrorUpdateEmptySlot);
-    }
-    {
-        Deceived rig;
-        ASSERT_TRUE(rig.prepare(9, 5));
-        EXPECT_EQ(codeOf(rig.ask(ExecutePlan{9, 4}), Errc::PlanRefused), wire::kErrorExecuteOtherPlan);
-        EXPECT_FALSE(rig.session().active());
-    }
-    {
-        Deceived rig;
-        ASSERT_TRUE(rig.prepare(9, 0));
-        EXPECT_EQ(codeOf(rig.ask(ExecutePlan{9, 4}), Errc::PlanRefused), wire::kErrorExecuteEmptySlot);
-    }
-}
-
 TEST(PlanRefusal, StoppingOrAdjustingNothingIsSaid) {
     PlanRig rig;
     ASSERT_TRUE(rig.connect());
@@ -178,6 +123,82 @@ TEST(PlanRefusal, OnlyOnePlanIsExecutedAtATime) {
     ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
     EXPECT_EQ(rig.refusal(ExecutePlan{9, 4}), Errc::PlanExecuting);
     EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+}
+
+TEST(PlanRefusal, ASecondExecuteIsNotTakenWhileTheFirstWaits) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.create(8, 3, PlanRig::kLong));
+    const CommandId before = rig.give(QuerySlot{1});
+    const CommandId first = rig.give(ExecutePlan{9, 4});
+    const CommandId second = rig.give(ExecutePlan{8, 3});
+    ASSERT_TRUE(rig.answer(second));
+    EXPECT_EQ(rig.answer(second)->error().code, Errc::PlanExecuting);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(first).has_value(); }));
+    EXPECT_TRUE(*rig.answer(before));
+    EXPECT_TRUE(*rig.answer(first));
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
+    EXPECT_EQ(rig.robot().motion()->plan, 9);
+}
+
+TEST(PlanRefusal, ASecondExecuteIsNotTakenWhileTheSlotOfTheFirstIsAskedFor) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    const CommandId first = rig.give(ExecutePlan{9, 4});
+    const CommandId second = rig.give(ExecutePlan{9, 4});
+    EXPECT_EQ(rig.answer(second)->error().code, Errc::PlanExecuting);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(first).has_value(); }));
+    EXPECT_EQ(codeOf(*rig.answer(first), Errc::WouldBeRefused), wire::kErrorExecuteEmptySlot);
+    // The first is done with: the next is looked at for what it is.
+    EXPECT_EQ(codeOf(rig.ask(ExecutePlan{9, 4}), Errc::WouldBeRefused), wire::kErrorExecuteEmptySlot);
+}
+
+TEST(PlanRefusal, AnExecuteThatWaitedIsNotSentIntoAPlanThatExecutesByThen) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    rig.forgetWritten();
+    const CommandId before = rig.give(QuerySlot{1});
+    const CommandId waiting = rig.give(ExecutePlan{9, 4});
+    // Another hand starts it.
+    wire::Message execute;
+    execute.kind = MessageKind::Execute;
+    execute.plan = 9;
+    execute.slot = 4;
+    rig.sim().program().command(wire::encodeMessage(execute)->view(), rig.scheduler().now());
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(waiting).has_value(); }));
+    EXPECT_TRUE(*rig.answer(before));
+    EXPECT_EQ(rig.answer(waiting)->error().code, Errc::PlanExecuting);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 0U);
+    EXPECT_EQ(rig.state().execution.state, Execution::State::Runs);
+}
+
+TEST(PlanRefusal, WhatWaitedIsLookedAtAgainBeforeItIsSent) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.ask(QuerySlot{3}));
+    const CommandId first = rig.give(CreatePlan{8, 3, PlanRig::kShort});
+    const CommandId second = rig.give(CreatePlan{9, 3, PlanRig::kShort});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(second).has_value(); }));
+    EXPECT_TRUE(*rig.answer(first));
+    EXPECT_EQ(codeOf(*rig.answer(second), Errc::WouldBeRefused), wire::kErrorSlotFull);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Create), 1U);
+    // What was not sent leaves no doubt behind it.
+    EXPECT_EQ(rig.state().slotStates[3].plan, 8);
+}
+
+TEST(PlanRefusal, AnAdjustThatWaitedIsNotSentToAPlanThatIsOver) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, {{Wheels::BothForward, 10}}));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    for (int slot = 0; slot < wire::kSlots; ++slot)
+        rig.give(QuerySlot{slot});
+    const CommandId adjust = rig.give(AdjustSpeed{Wheels::BothForward, 10});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(adjust).has_value(); }));
+    EXPECT_EQ(codeOf(*rig.answer(adjust), Errc::WouldBeRefused), wire::kErrorAdjustIdle);
+    EXPECT_EQ(rig.writtenOf(MessageKind::Adjust), 0U);
 }
 
 TEST(PlanStop, GoesOutAtOnceAndIsConfirmed) {
@@ -283,6 +304,25 @@ TEST(PlanStop, IsSentAgainUntilTheRobotHasConfirmedIt) {
     ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 5s));
     EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 3U);
     EXPECT_FALSE(rig.robot().motion());
+}
+
+TEST(PlanStop, IsNotEndedByTheEmptyCopyOfWhatItHasOvertaken) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(QuerySlot{3}));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("text", 1);
+    rig.simulate("delay", 300);
+    rig.give(CreatePlan{8, 3, PlanRig::kShort});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.writtenOf(MessageKind::Create) == 1; }));
+    rig.advance(50ms);
+    rig.simulate("lose-next", 1);
+    rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 20s));
+    EXPECT_FALSE(rig.robot().motion());
+    EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 2U);
+    EXPECT_EQ(rig.count(EventKind::StopUnconfirmed), 0U);
 }
 
 TEST(PlanStop, ThatHasWorkedIsNotSaidToHaveFoundNothing) {

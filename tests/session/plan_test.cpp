@@ -29,8 +29,8 @@ TEST(Plan, TheSampleGoesToTheRobotToTheByte) {
                             {Wheels::BothForward, 50},
                             {Wheels::LeftBack, 90},
                             {Wheels::BothBack, 100}}));
-    // Its slot was asked for first, because nothing was known of it.
-    EXPECT_EQ(rig.written(), (std::vector<std::string>{"05 ff 04", "00 09 04 0d 5c 12 7e 37"}));
+    // Its slot was asked for first, because nothing was known of it, and then whether it was taken.
+    EXPECT_EQ(rig.written(), (std::vector<std::string>{"05 ff 04", "00 09 04 0d 5c 12 7e 37", "05 ff 04"}));
     EXPECT_EQ(rig.robot().kept()[4].id, 9);
     EXPECT_EQ(rig.robot().kept()[4].movements, (std::vector<std::uint8_t>{0x0D, 0x5C, 0x12, 0x7E, 0x37}));
     const SlotState slot = rig.state().slotStates[4];

@@ -148,6 +148,7 @@ QString MotionplanView::actionText(const SimAction& action) const {
         {"delay", QT_TRANSLATE_NOOP("MotionplanView", "Delay of messages")},
         {"lose-next", QT_TRANSLATE_NOOP("MotionplanView", "Lose the next to the robot")},
         {"lose-next-out", QT_TRANSLATE_NOOP("MotionplanView", "Lose the next from the robot")},
+        {"lose-one-out", QT_TRANSLATE_NOOP("MotionplanView", "Lose one of the next from the robot")},
         {"text", QT_TRANSLATE_NOOP("MotionplanView", "Mailbox read as")},
         {"program", QT_TRANSLATE_NOOP("MotionplanView", "Program")},
         {"pace", QT_TRANSLATE_NOOP("MotionplanView", "Pace")},

@@ -125,8 +125,9 @@ void NxtSim::arrived(std::uint8_t box, const wire::MailboxBytes& content) {
 }
 
 void NxtSim::put(ByteView message) {
-    const bool lost = loseFromRobot_ > 0 || byChance(options_.weather.loss);
+    const bool lost = loseFromRobot_ > 0 || loseOneFromRobot_ == 1 || byChance(options_.weather.loss);
     loseFromRobot_ = std::max(loseFromRobot_ - 1, 0);
+    loseOneFromRobot_ = std::max(loseOneFromRobot_ - 1, 0);
     if (lost) {
         ++counters_.lost;
         return;

@@ -59,6 +59,11 @@ class NxtSim final : public ByteDeviceModel {
     void loseNext(int toRobot, int fromRobot);
     int loseNextToRobot() const { return loseToRobot_; }
     int loseNextFromRobot() const { return loseFromRobot_; }
+    /// Of the messages from the robot only this one, counted from 1, does not arrive; 0 for none.
+    void loseOne(int fromRobot) { loseOneFromRobot_ = fromRobot; }
+    int loseOneFromRobot() const { return loseOneFromRobot_; }
+    /// The robot's program puts out a message, which is lost, doubled and late as the weather wants.
+    void put(ByteView message);
 
     bool attached() const override { return attached_; }
     void setListener(ByteDeviceListener* listener) override { listener_ = listener; }
@@ -72,7 +77,6 @@ class NxtSim final : public ByteDeviceModel {
     std::uint8_t write(const wire::MessageWrite& write);
     wire::ReadReply read(const wire::MessageRead& read);
     void arrived(std::uint8_t box, const wire::MailboxBytes& content);
-    void put(ByteView message);
     void putNow(const wire::MailboxBytes& content);
     void reply(const wire::Telegram& telegram);
     void gone();
@@ -94,6 +98,7 @@ class NxtSim final : public ByteDeviceModel {
     bool programRuns_ = true;
     int loseToRobot_ = 0;
     int loseFromRobot_ = 0;
+    int loseOneFromRobot_ = 0;
     NxtReport counters_;
     std::uint64_t connection_ = 0;
     std::unique_ptr<SimControl> control_;
