@@ -17,7 +17,7 @@ struct TourMovement {
     int amount;
 };
 constexpr TourMovement kMovements[] = {
-    {"plan-1", 0, 50}, {"plan-2", 2, 90}, {"plan-3", 0, 80}, {"plan-4", 3, 84}, {"plan-5", 1, 38}};
+    {"plan-1", 0, 50}, {"plan-2", 2, 90}, {"plan-3", 0, 200}, {"plan-4", 3, 84}, {"plan-5", 1, 38}};
 constexpr int kPlan = 9;
 
 TourMaker::Done whenPlan(ui::Bench* bench, bool (*holds)(const Snapshot&)) {
@@ -49,8 +49,9 @@ void addRunning(TourMaker& tour) {
              whenPlan(bench, [](const Snapshot& snapshot) { return snapshot.slotStates[4].plan == kPlan; }));
     tour.show("plan-executing", tour.press("planExecute4"),
               whenPlan(bench, [](const Snapshot& snapshot) { return snapshot.execution.step >= 3; }));
-    tour.add("plan-stop", tour.press("planStop"),
-             whenPlan(bench, [](const Snapshot& snapshot) { return !snapshot.active(); }));
+    tour.add("plan-stop", tour.press("planStop"), whenPlan(bench, [](const Snapshot& snapshot) {
+                 return !snapshot.active() && snapshot.stopConfirmedAt != TimePoint{};
+             }));
     tour.show("plan-out-of-reach", tour.simulate("plugged", -1, 0),
               whenPlan(bench, [](const Snapshot& snapshot) { return snapshot.outOfReach; }));
 }

@@ -44,8 +44,8 @@ class Exchange {
     /// Of one that is done. Errors: commands.h.
     const Result<void>& result() const { return result_; }
     int attempts() const { return attempts_; }
-    /// Of a query that was answered: the plan in the slot. Of a Create, Update or Execute whose slot was asked
-    /// for too.
+    /// Of a query that was answered: the plan in the slot. Of a Create, Update or Execute whose slot was
+    /// asked for too.
     std::optional<int> answeredPlan() const { return answeredPlan_; }
     /// The trigger plan as it was read; empty where there is none.
     const wire::MessageBytes& triggerContent() const { return triggerContent_; }

@@ -101,7 +101,7 @@ class Session {
     bool answers_ = false;
     std::uint8_t nxtStatus_;
     std::optional<CommandId> startAsked_;  ///< The Execute that is not answered yet.
-    bool startedHere_ = false;  ///< A plan was started or adjusted by this session.
+    bool startedHere_ = false;             ///< A plan was started or adjusted by this session.
     bool heartbeatFresh_ = false;
     bool ending_ = false;
     bool stopping_ = false;              ///< A Stop of STOP or of an ending is not answered yet.

@@ -195,9 +195,10 @@ void Station::takeCommandBox(ByteView content, TimePoint now) {
 }
 
 bool Station::isDoubled(int error, bool belonged, TimePoint now) {
-    const bool again = std::exchange(lastError_, error) == error && now - lastErrorAt_ < kDoubledWithin;
+    if (!belonged && lastError_ == error && now - lastErrorAt_ < kDoubledWithin) return true;
+    lastError_ = error;
     lastErrorAt_ = now;
-    return again && !belonged;
+    return false;
 }
 
 std::optional<RequestState> Station::request() const {

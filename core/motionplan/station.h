@@ -23,8 +23,8 @@ class Station {
         /// Whether a message may leave now: STOP, and what has changed while it waited, is looked at here, at
         /// the last moment. The error is what it ends with.
         std::function<Result<void>(const wire::Message&)> maySend;
-        /// Every message that the robot has put out, expected or not, but no doubled error. `belonged`: to the
-        /// exchange.
+        /// Every message that the robot has put out, expected or not, but no doubled error. `belonged`: to
+        /// the exchange.
         std::function<void(const wire::Message&, bool belonged)> message;
         /// What a mailbox held that is no message.
         std::function<void(const Error&)> malformed;
@@ -87,7 +87,7 @@ class Station {
     std::deque<wire::MessageBytes> sent_;  ///< The newest, to know late copies by.
     std::optional<TimePoint> readAt_;      ///< Of the read that is under way.
     bool readTriggerBox_ = false;
-    std::optional<int> lastError_;
+    std::optional<int> lastError_;  ///< That was told.
     TimePoint lastErrorAt_{};
     TimePoint nextRead_{};
     bool busy_ = false;

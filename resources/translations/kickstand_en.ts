@@ -3870,6 +3870,10 @@
         <source>the robot may start trigger plan %1 when the connection ends</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lose one of the next from the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Options</name>
@@ -8809,6 +8813,18 @@ microcontroller %3, flash %4</source>
         <source>%1 holds no movement; the plan here stays as it is.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>   ▶ executing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan %1 executes and is not drawn: it was not sent over this connection, and the robot names plans by their ID alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan %1 executes and is not drawn: it is another one than the plan here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::PlanPath</name>
@@ -8818,6 +8834,10 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>grid %1 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9012,6 +9032,19 @@ microcontroller %3, flash %4</source>
     </message>
     <message>
         <source>plan %1, not confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+steps not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not sent over this connection, and the robot names plans by their ID alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -25,7 +25,8 @@ TEST(PlanFaults, ACreateThatWasLostIsSentAgainAfterAQuery) {
     Ready rig;
     rig.simulate("lose-next", 1);
     ASSERT_TRUE(rig.ask(CreatePlan{8, 3, PlanRig::kShort}));
-    EXPECT_EQ(rig.written(), (std::vector<std::string>{"00 08 03 0c 9e", "05 ff 03", "00 08 03 0c 9e", "05 ff 03"}));
+    EXPECT_EQ(rig.written(),
+              (std::vector<std::string>{"00 08 03 0c 9e", "05 ff 03", "00 08 03 0c 9e", "05 ff 03"}));
     EXPECT_EQ(rig.robot().kept()[3].id, 8);
 }
 
@@ -42,7 +43,8 @@ TEST(PlanFaults, AnUpdateWhoseCopyWasLostIsAskedForAndSentAgain) {
     Ready rig;
     rig.simulate("lose-next-out", 1);
     ASSERT_TRUE(rig.ask(UpdatePlan{9, 4, {{Wheels::BothBack, 5}}}));
-    EXPECT_EQ(rig.written(), (std::vector<std::string>{"02 09 04 25", "05 ff 04", "02 09 04 25", "05 ff 04"}));
+    EXPECT_EQ(rig.written(),
+              (std::vector<std::string>{"02 09 04 25", "05 ff 04", "02 09 04 25", "05 ff 04"}));
     EXPECT_EQ(rig.robot().kept()[4].movements, (std::vector<std::uint8_t>{0x25}));
 }
 

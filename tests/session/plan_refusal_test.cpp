@@ -1,5 +1,7 @@
 // What the robot refuses, what is kept from it because it would, and what STOP does.
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,16 @@ TEST(PlanRefusal, ErrorsThatNobodyHasAskedForAreTold) {
     EXPECT_EQ(rig.count(EventKind::Refused), 9U);
     EXPECT_EQ(rig.events().back().code, 200);
     EXPECT_EQ(rig.events().back().previous, 1);
+}
+
+TEST(PlanRefusal, AnErrorThatComesAgainAndAgainIsToldAgain) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    // Each time it may be the one of before, doubled on its way: but not for ever.
+    for (int i = 0; i < 7; ++i)
+        rig.simulate("error", 7), rig.advance(1s);
+    EXPECT_GE(rig.count(EventKind::Refused), 3U);
+    EXPECT_LT(rig.count(EventKind::Refused), 7U);
 }
 
 TEST(PlanRefusal, WhatCannotBeAPlanIsRefusedAtOnce) {
@@ -319,6 +331,21 @@ TEST(PlanStop, IsNotEndedByTheEmptyCopyOfWhatItHasOvertaken) {
     rig.advance(50ms);
     rig.simulate("lose-next", 1);
     rig.stop();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 20s));
+    EXPECT_FALSE(rig.robot().motion());
+    EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 2U);
+    EXPECT_EQ(rig.count(EventKind::StopUnconfirmed), 0U);
+}
+
+TEST(PlanStop, IsNotEndedByACopyThatDiffersFromIt) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("lose-next", 1);
+    rig.stop();
+    const std::array<std::uint8_t, 2> longer{0x01, 0x05};
+    rig.sim().put(longer);
     ASSERT_TRUE(rig.waitUntil([&] { return rig.count(EventKind::Stopped) == 1; }, 20s));
     EXPECT_FALSE(rig.robot().motion());
     EXPECT_EQ(rig.writtenOf(MessageKind::Stop), 2U);

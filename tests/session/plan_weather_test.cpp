@@ -1,4 +1,7 @@
 // Every error code of the robot, and whole jobs, while messages are lost, doubled and late.
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -13,10 +16,10 @@ using wire::MessageKind;
 using wire::Wheels;
 using namespace std::chrono_literals;
 
-/// What becomes of the robot's copy of the command that it refuses, and of its error, which is the message
+/// What becomes of the command that the robot refuses, of its copy, and of the error, which is the message
 /// after that.
-enum class Fate { Clear, Doubled, Late, CopyLost, ErrorLost, BothLost };
-constexpr Fate kFates[] = {Fate::Clear,    Fate::Doubled,   Fate::Late,
+enum class Fate { Clear, Doubled, Late, CommandLost, CopyLost, ErrorLost, BothLost };
+constexpr Fate kFates[] = {Fate::Clear,    Fate::Doubled,   Fate::Late,    Fate::CommandLost,
                            Fate::CopyLost, Fate::ErrorLost, Fate::BothLost};
 
 /// What the session says in the end.
@@ -27,34 +30,47 @@ enum class Said {
 };
 
 const char* nameOf(Fate fate) {
-    constexpr const char* kNames[] = {"clear", "doubled", "late", "copy lost", "error lost", "both lost"};
+    constexpr const char* kNames[] = {"clear",     "doubled",    "late",     "command lost",
+                                      "copy lost", "error lost", "both lost"};
     return kNames[static_cast<std::size_t>(fate)];
 }
 
-class PlanCodes : public ::testing::TestWithParam<Fate> {
-  protected:
-    /// A rig that runs, and believes that slot 4 holds plan `believed` (0: none).
+/// A rig that is wrong about slot 4.
+struct Deceived : PlanRig {
+    using PlanRig::PlanRig;
+
+    /// Runs, and believes that the slot holds plan `believed` (0: none).
     void prepare(int believed) {
-        ASSERT_TRUE(rig.connect());
-        if (believed == 0)
-            ASSERT_TRUE(rig.ask(QuerySlot{4}));
+        ASSERT_TRUE(connect());
+        if (believed == wire::kNoPlan)
+            ASSERT_TRUE(ask(QuerySlot{4}));
         else
-            ASSERT_TRUE(rig.create(believed, 4, PlanRig::kLong));
+            ASSERT_TRUE(create(believed, 4, kLong));
     }
-    /// Another hand: the program was ended and started again, and holds plan `really` in slot 4.
+    /// Another hand: the program was ended and started again, and holds plan `really` there.
     void deceive(int really) {
-        rig.simulate("program", 0);
-        rig.simulate("program", 1);
-        if (really != 0) {
+        simulate("program", 0);
+        simulate("program", 1);
+        if (really != wire::kNoPlan) {
             const wire::Message create{
                 .kind = MessageKind::Create, .plan = really, .slot = 4, .movements = {0x01}};
-            rig.sim().program().command(wire::encodeMessage(create)->view(), rig.scheduler().now());
+            sim().program().command(wire::encodeMessage(create)->view(), scheduler().now());
         }
-        rig.advance(500ms);
+        advance(500ms);
     }
+    /// Believes that plan 9 executes, which the robot has lost.
+    void deceiveRunning() {
+        ASSERT_TRUE(ask(ExecutePlan{9, 4}));
+        sim().program().restart();
+    }
+};
+
+class PlanCodes : public ::testing::TestWithParam<Fate> {
+  protected:
     void meet() {
         if (GetParam() == Fate::Doubled) rig.simulate("duplicate", 1);
         if (GetParam() == Fate::Late) rig.simulate("delay", 600);
+        if (GetParam() == Fate::CommandLost) rig.simulate("lose-next", 1);
         if (GetParam() == Fate::CopyLost) rig.simulate("lose-next-out", 1);
         if (GetParam() == Fate::ErrorLost) rig.simulate("lose-one-out", 2);
         if (GetParam() == Fate::BothLost) rig.simulate("lose-next-out", 2);
@@ -81,14 +97,17 @@ class PlanCodes : public ::testing::TestWithParam<Fate> {
         EXPECT_EQ(rig.count(EventKind::Refused), event ? 1U : 0U) << in;
         EXPECT_EQ(rig.count(EventKind::Differs), 0U) << in;
     }
-    static Said unless(Fate fate, Said then) { return GetParam() == fate ? then : Said::Refused; }
+    /// Whether it is one of these.
+    static bool among(std::initializer_list<Fate> fates) {
+        return std::ranges::find(fates, GetParam()) != fates.end();
+    }
 
-    PlanRig rig;
+    Deceived rig;
 };
 
 TEST_P(PlanCodes, CreateIntoASlotThatIsFull) {
-    prepare(0);
-    deceive(5);
+    rig.prepare(0);
+    rig.deceive(5);
     expect(CreatePlan{9, 4, PlanRig::kShort}, wire::kErrorSlotFull, Said::Refused);
     EXPECT_EQ(rig.writtenOf(MessageKind::Create), 1U);
     // It is asked for again, or known by now.
@@ -97,55 +116,56 @@ TEST_P(PlanCodes, CreateIntoASlotThatIsFull) {
 }
 
 TEST_P(PlanCodes, UpdateOfAnotherPlan) {
-    prepare(9);
-    deceive(5);
+    rig.prepare(9);
+    rig.deceive(5);
     expect(UpdatePlan{9, 4, PlanRig::kShort}, wire::kErrorUpdateOtherPlan, Said::Refused);
 }
 
 TEST_P(PlanCodes, UpdateOfAnEmptySlot) {
-    prepare(9);
-    deceive(0);
+    rig.prepare(9);
+    rig.deceive(0);
     expect(UpdatePlan{9, 4, PlanRig::kShort}, wire::kErrorUpdateEmptySlot, Said::Refused);
 }
 
 TEST_P(PlanCodes, UpdateWhileNothingExecutes) {
-    prepare(9);
+    rig.prepare(9);
     rig.simulate("strict-update", 1);
     // The plan keeps its ID whether it was updated or not, and no message asks what is in it.
-    expect(UpdatePlan{9, 4, PlanRig::kShort}, wire::kErrorUpdateIdle, unless(Fate::ErrorLost, Said::Done));
+    expect(UpdatePlan{9, 4, PlanRig::kShort}, wire::kErrorUpdateIdle,
+           among({Fate::ErrorLost}) ? Said::Done : Said::Refused);
 }
 
 TEST_P(PlanCodes, ExecuteOfAnotherPlan) {
-    prepare(9);
-    deceive(5);
-    expect(ExecutePlan{9, 4}, wire::kErrorExecuteOtherPlan, unless(Fate::BothLost, Said::Unconfirmed));
+    rig.prepare(9);
+    rig.deceive(5);
+    const bool unheard = among({Fate::CommandLost, Fate::BothLost});
+    expect(ExecutePlan{9, 4}, wire::kErrorExecuteOtherPlan, unheard ? Said::Unconfirmed : Said::Refused);
     EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
-    EXPECT_EQ(rig.session().active(), GetParam() == Fate::BothLost);
+    EXPECT_EQ(rig.session().active(), unheard);
 }
 
 TEST_P(PlanCodes, ExecuteOfAnEmptySlot) {
-    prepare(9);
-    deceive(0);
-    expect(ExecutePlan{9, 4}, wire::kErrorExecuteEmptySlot, unless(Fate::BothLost, Said::Unconfirmed));
+    rig.prepare(9);
+    rig.deceive(0);
+    const bool unheard = among({Fate::CommandLost, Fate::BothLost});
+    expect(ExecutePlan{9, 4}, wire::kErrorExecuteEmptySlot, unheard ? Said::Unconfirmed : Said::Refused);
     EXPECT_EQ(rig.writtenOf(MessageKind::Execute), 1U);
-    EXPECT_EQ(rig.session().active(), GetParam() == Fate::BothLost);
+    EXPECT_EQ(rig.session().active(), unheard);
 }
 
 TEST_P(PlanCodes, StopWhileNothingExecutes) {
     ASSERT_TRUE(rig.connect());
     // The robot stands, and that is what is said of it, with its error or without.
-    const bool lost = GetParam() == Fate::ErrorLost || GetParam() == Fate::BothLost;
+    const bool lost = among({Fate::CommandLost, Fate::ErrorLost, Fate::BothLost});
     expect(StopPlan{}, wire::kErrorStopIdle, lost ? Said::Done : Said::Refused);
     EXPECT_EQ(rig.count(EventKind::Stopped), 1U);
     EXPECT_FALSE(rig.session().active());
 }
 
 TEST_P(PlanCodes, AdjustWhileNothingExecutes) {
-    prepare(9);
-    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
-    // The robot has lost its plan, and nobody has heard of it yet.
-    rig.sim().program().restart();
-    const bool lost = GetParam() == Fate::ErrorLost || GetParam() == Fate::BothLost;
+    rig.prepare(9);
+    rig.deceiveRunning();
+    const bool lost = among({Fate::CommandLost, Fate::ErrorLost, Fate::BothLost});
     expect(AdjustSpeed{Wheels::BothForward, 10}, wire::kErrorAdjustIdle,
            lost ? Said::Unconfirmed : Said::Refused);
     EXPECT_EQ(rig.writtenOf(MessageKind::Adjust), 1U);
@@ -155,7 +175,7 @@ TEST_P(PlanCodes, AdjustWhileNothingExecutes) {
 /// Those that nobody has asked for are told, each once.
 TEST_P(PlanCodes, Unasked) {
     ASSERT_TRUE(rig.connect());
-    if (GetParam() == Fate::Doubled || GetParam() == Fate::Late) meet();
+    if (among({Fate::Doubled, Fate::Late})) meet();
     for (int code = 0; code < wire::kErrorCodes; ++code) {
         rig.simulate("error", code);
         rig.advance(1s);
@@ -171,6 +191,60 @@ std::string testName(const ::testing::TestParamInfo<Fate>& of) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fates, PlanCodes, ::testing::ValuesIn(kFates), testName);
+
+/// A command that the robot refuses.
+struct Refusal {
+    int code;
+    Command command;
+    int believed;               ///< In its slot.
+    std::optional<int> really;  ///< Something else is there.
+    bool mayPass;               ///< No message tells it from what was done, once its error is lost.
+};
+
+TEST(PlanWeather, EveryRefusalInBadWeather) {
+    const Refusal refusals[] = {
+        {wire::kErrorSlotFull, CreatePlan{9, 4, PlanRig::kShort}, 0, 5, false},
+        {wire::kErrorUpdateOtherPlan, UpdatePlan{9, 4, PlanRig::kShort}, 9, 5, false},
+        {wire::kErrorUpdateEmptySlot, UpdatePlan{9, 4, PlanRig::kShort}, 9, 0, false},
+        {wire::kErrorUpdateIdle, UpdatePlan{9, 4, PlanRig::kShort}, 9, std::nullopt, true},
+        {wire::kErrorExecuteOtherPlan, ExecutePlan{9, 4}, 9, 5, false},
+        {wire::kErrorExecuteEmptySlot, ExecutePlan{9, 4}, 9, 0, false},
+        {wire::kErrorStopIdle, StopPlan{}, 0, std::nullopt, true},
+        {wire::kErrorAdjustIdle, AdjustSpeed{Wheels::BothForward, 10}, 9, std::nullopt, false},
+    };
+    for (const Refusal& refusal : refusals) {
+        int refused = 0;
+        for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+            const std::string in = std::to_string(refusal.code) + ", seed " + std::to_string(seed);
+            sim::NxtOptions options;
+            options.seed = seed;
+            Deceived rig(options);
+            rig.prepare(refusal.believed);
+            if (refusal.really) rig.deceive(*refusal.really);
+            if (refusal.code == wire::kErrorAdjustIdle) rig.deceiveRunning();
+            rig.simulate("strict-update", 1);
+            rig.simulate("loss", 0.2);
+            rig.simulate("duplicate", 0.3);
+            rig.simulate("delay", static_cast<double>(seed % 4 * 100));
+            const auto result = rig.ask(refusal.command);
+            rig.advance(5s);
+            if (result) {
+                EXPECT_TRUE(refusal.mayPass) << in;
+            } else if (result.error().code == Errc::PlanRefused) {
+                EXPECT_EQ(result.error().got, refusal.code) << in;
+                ++refused;
+            } else {
+                EXPECT_EQ(result.error().code, Errc::Unconfirmed) << in;
+            }
+            EXPECT_LE(rig.count(EventKind::Refused), 1U) << in;
+            EXPECT_EQ(rig.count(EventKind::Differs), 0U) << in;
+            EXPECT_LE(rig.writtenOf(MessageKind::Execute), 1U) << in;
+            EXPECT_LE(rig.writtenOf(MessageKind::Adjust), 1U) << in;
+            EXPECT_FALSE(rig.robot().motion()) << in;
+        }
+        EXPECT_GT(refused, 10) << refusal.code;
+    }
+}
 
 /// A whole job, in any weather, ends in one way or the other: every command is answered once, nothing is
 /// executed twice, and what was said to be there is there.

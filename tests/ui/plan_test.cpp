@@ -97,6 +97,10 @@ class NxtLinks final : public LinkProvider {
     }
     Result<ProvidedByteLink> makeByteLink(const LinkUri&, Scheduler& scheduler) override {
         auto sim = std::make_shared<motionplan::sim::NxtSim>(scheduler);
+        // Slot 2 has a plan that somebody else has put there.
+        const auto create = motionplan::wire::encodeMessage(
+            {.kind = motionplan::wire::MessageKind::Create, .plan = 5, .slot = 2, .movements = {0x1E, 0x1E}});
+        sim->program().command(create->view(), scheduler.now());
         auto link =
             std::make_unique<TappedByteLink>(std::make_unique<PacedByteLink>(scheduler, *sim), scheduler);
         link->addObserver(&written_);
@@ -364,13 +368,20 @@ TEST_F(PlanWindow, APlanGoesToTheRobotRunsLitAndIsStopped) {
     find<QSpinBox>("planId")->setValue(9);
     click("planSend4");
     ASSERT_TRUE(waitFor([this] { return text("planSlot4") == QStringLiteral("4: plan 9\n2 step(s)"); }));
-    EXPECT_EQ(written.messages(), (std::vector<std::string>{"05 ff 04", "00 09 04 19 5c"}));
+    EXPECT_EQ(written.messages(), (std::vector<std::string>{"05 ff 04", "00 09 04 19 5c", "05 ff 04"}));
     // Full now: it offers an update under the resident's ID.
     EXPECT_EQ(find<QAbstractButton>("planSend4")->text(), QStringLiteral("Update"));
     click("planExecute4");
+    // No second one while the first is on its way.
+    EXPECT_FALSE(find<QAbstractButton>("planExecute4")->isEnabled());
+    EXPECT_FALSE(find<QAbstractButton>("planExecute3")->isEnabled());
     ASSERT_TRUE(waitFor([this] { return find<ui::PlanPath>("planPath")->executing() == 1; }));
+    EXPECT_EQ(step(0), QStringLiteral("1   forward 300 cm   19   \u25b6 executing"));
+    EXPECT_EQ(step(1), QStringLiteral("2   turn right 84\u00b0   5c"));
+    EXPECT_TRUE(text("planElsewhere").isEmpty());
     EXPECT_TRUE(bench->isMoving());
     EXPECT_TRUE(text("planState").contains(QStringLiteral("Plan 9, step 1 of 2")));
+    EXPECT_EQ(text("planProgress"), QStringLiteral("executing: forward 300 cm"));
     click("planAdjust");
     ASSERT_TRUE(waitFor([this] { return written.messages().back() == "06 09 04 00 e2"; }));
     ASSERT_TRUE(waitFor([this] { return !client->hasPending(); }));
@@ -378,6 +389,39 @@ TEST_F(PlanWindow, APlanGoesToTheRobotRunsLitAndIsStopped) {
     ASSERT_TRUE(waitFor([this] { return !state()->active(); }));
     EXPECT_EQ(written.messages().back(), "01");
     ASSERT_TRUE(waitFor([this] { return find<ui::PlanPath>("planPath")->executing() == 0; }));
+    EXPECT_EQ(step(0), QStringLiteral("1   forward 300 cm   19"));
+}
+
+TEST_F(PlanWindow, WhyAPlanOfSomebodyElseIsNotDrawnIsSaid) {
+    click("planQuery");
+    ASSERT_TRUE(
+        waitFor([this] { return text("planSlot2") == QStringLiteral("2: plan 5\nsteps not known"); }));
+    EXPECT_TRUE(
+        find<QLabel>("planSlot2")->toolTip().contains(QStringLiteral("not sent over this connection")));
+    ASSERT_TRUE(waitFor([this] { return !client->hasPending(); }));
+    click("planExecute2");
+    ASSERT_TRUE(waitFor([this] {
+        return text("planElsewhere")
+            .contains(QStringLiteral("Plan 5 executes and is not drawn: it was not sent"));
+    }));
+    EXPECT_EQ(find<ui::PlanPath>("planPath")->executing(), 0);
+    click("planStop");
+    ASSERT_TRUE(waitFor([this] { return text("planElsewhere").isEmpty(); }));
+}
+
+TEST_F(PlanWindow, WhyAPlanThatWasChangedHereIsNotDrawnIsSaid) {
+    add("Forward", 900);
+    click("planSend0");
+    ASSERT_TRUE(waitFor([this] { return state()->slotStates[0].plan == 1; }));
+    ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("planExecute0")->isEnabled(); }));
+    click("planExecute0");
+    ASSERT_TRUE(waitFor([this] { return find<ui::PlanPath>("planPath")->executing() == 1; }));
+    add("Turn left", 90);
+    EXPECT_TRUE(text("planElsewhere").contains(QStringLiteral("another one than the plan here")));
+    EXPECT_EQ(find<ui::PlanPath>("planPath")->executing(), 0);
+    click("planUndo");
+    EXPECT_TRUE(text("planElsewhere").isEmpty());
+    EXPECT_EQ(find<ui::PlanPath>("planPath")->executing(), 1);
 }
 
 TEST_F(PlanWindow, StopReachesTheRobotAndNothingIsSentWhileItIsLatched) {

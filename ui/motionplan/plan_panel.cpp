@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <algorithm>
 
@@ -38,6 +39,22 @@ constexpr int kRedraw_ms = 100;
 constexpr double kSpeed_cm_per_s = 20;
 constexpr double kTurn_deg_per_s = 60;
 
+constexpr int kExecutesRole = Qt::UserRole + 1;
+
+/// Marks the row of the step that executes, in the colours of whatever theme there is when it is drawn.
+class StepDelegate final : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (!index.data(kExecutesRole).toBool()) return;
+        option->font.setBold(true);
+        option->backgroundBrush = tokensOf(option->palette).accentSoft;
+    }
+};
+
 QPushButton* button(const char* name, const QString& text, const QString& tip, QWidget* parent) {
     auto* made = new QPushButton(text, parent);
     made->setObjectName(QString::fromLatin1(name));
@@ -56,7 +73,7 @@ QLabel* line(const char* name, QWidget* parent) {
 }
 
 /// "3   turn left 84°   9c", with what is to be known of it.
-QString stepText(std::size_t place, const Movement& movement) {
+QString stepText(std::size_t place, const Movement& movement, bool executes = false) {
     const auto byte = motionplan::wire::encodeMovement(movement);
     QString text = QStringLiteral("%1   %2").arg(place + 1).arg(movementText(movement));
     if (!byte)
@@ -64,7 +81,9 @@ QString stepText(std::size_t place, const Movement& movement) {
                           .arg(QString::fromStdString(motionplan::alternativeTo(movement)));
     const std::uint8_t raw = *byte;
     text += QStringLiteral("   ") + QString::fromStdString(toHex({&raw, 1}));
-    return raw == 0 ? text + PlanPanel::tr("   zero byte") : text;
+    if (raw == 0) text += PlanPanel::tr("   zero byte");
+    if (executes) text += PlanPanel::tr("   \u25b6 executing");
+    return text;
 }
 
 }  // namespace
@@ -78,6 +97,7 @@ PlanPanel::PlanPanel(Bench& bench, PlanDocument& document, QWidget* parent)
       header_(line("planHeader", this)),
       length_(line("planLength", this)),
       notice_(line("planNotice", this)),
+      elsewhere_(line("planElsewhere", this)),
       track_(new QSpinBox(this)),
       duplicate_(
           button("planDuplicate", tr("Duplicate"), tr("The chosen step once more, after itself"), this)),
@@ -103,6 +123,7 @@ PlanPanel::PlanPanel(Bench& bench, PlanDocument& document, QWidget* parent)
 void PlanPanel::build() {
     steps_->setObjectName(QStringLiteral("planSteps"));
     steps_->setAccessibleName(tr("Steps of the plan"));
+    steps_->setItemDelegate(new StepDelegate(steps_));
     steps_->setDragDropMode(QAbstractItemView::InternalMove);
     steps_->setFont(numberFont(metrics::kTextSize));
     steps_->setMinimumWidth(240);
@@ -129,8 +150,8 @@ void PlanPanel::build() {
     right->setSpacing(metrics::kGap);
     right->addWidget(path_, 1);
     auto* under = new QHBoxLayout;
-    under->addStretch(1);
-    under->addWidget(track_);
+    under->addWidget(elsewhere_, 1);
+    under->addWidget(track_, 0, Qt::AlignTop);
     right->addLayout(under);
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
@@ -306,12 +327,35 @@ void PlanPanel::refreshState() {
     const motionplan::Snapshot* const snapshot = planSnapshotOf(bench().session());
     const auto bytes = motionplan::planBytes(movements, motionplan::PlanUse::Trigger);
     // Only what is drawn here may be shown to move here.
-    const bool own =
-        snapshot != nullptr && bytes && snapshot->active() && snapshot->execution.movements == *bytes;
-    path_->setExecuting(own ? snapshot->execution.step : 0,
-                        own ? doneOf(snapshot->execution, bench().client().now()) : 0);
-    setNote(own ? tr("step %1 of %2").arg(snapshot->execution.step).arg(movements.size())
-                : tr("%n step(s)", nullptr, static_cast<int>(movements.size())));
+    const bool runs = snapshot != nullptr && snapshot->execution.state == motionplan::Execution::State::Runs;
+    const bool own = runs && bytes && snapshot->execution.movements == *bytes;
+    const int step = own ? snapshot->execution.step : 0;
+    markExecuting(step);
+    elsewhere_->setText(runs && !own ? elsewhereText(snapshot->execution) : QString());
+    path_->setExecuting(step, own ? doneOf(snapshot->execution, bench().client().now()) : 0);
+    setNote(step > 0 ? tr("step %1 of %2").arg(step).arg(movements.size())
+                     : tr("%n step(s)", nullptr, static_cast<int>(movements.size())));
+}
+
+void PlanPanel::markExecuting(int step) {
+    const PlanDocument::Movements& movements = document_.movements();
+    for (std::size_t i = 0; i < movements.size(); ++i) {
+        QListWidgetItem* const item = steps_->item(static_cast<int>(i));
+        // A step that is being dragged is in the list's hands.
+        if (item == nullptr) return;
+        const bool executes = static_cast<int>(i) + 1 == step;
+        item->setData(kExecutesRole, executes);
+        item->setText(stepText(i, movements[i], executes));
+        if (executes && step != path_->executing()) steps_->scrollToItem(item);
+    }
+}
+
+QString PlanPanel::elsewhereText(const motionplan::Execution& execution) const {
+    if (execution.movements.empty())
+        return tr("Plan %1 executes and is not drawn: it was not sent over this connection, and the robot "
+                  "names plans by their ID alone.")
+            .arg(execution.plan);
+    return tr("Plan %1 executes and is not drawn: it is another one than the plan here.").arg(execution.plan);
 }
 
 void PlanPanel::open() {

@@ -27,6 +27,10 @@ class PlanPanel final : public Panel {
     void connectButtons();
     void refreshSteps();
     void refreshState();
+    /// Marks the row of the step that executes, from 1; 0 for none.
+    void markExecuting(int step);
+    /// What executes and is not the plan here, and why it is not drawn.
+    QString elsewhereText(const motionplan::Execution& execution) const;
     void rowsMoved();
     int chosen() const;
     void choose(int row);
@@ -43,6 +47,7 @@ class PlanPanel final : public Panel {
     QLabel* header_;
     QLabel* length_;
     QLabel* notice_;
+    QLabel* elsewhere_;
     QSpinBox* track_;
     QPushButton* duplicate_;
     QPushButton* remove_;

@@ -2,10 +2,12 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "ui/widgets/paint.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -19,6 +21,11 @@ constexpr int kArcPieces = 24;
 constexpr double kMargin = 28;
 constexpr std::array<double, 5> kGrids_cm{10, 50, 100, 500, 1000};
 constexpr double kLeastGrid = 24;
+constexpr double kLeastRobot = 14;
+constexpr double kStepWidth = 2;
+constexpr double kLitWidth = 5;
+constexpr double kChosenWidth = 12;
+constexpr QPointF kNumberPlace{6, -4};
 
 }  // namespace
 
@@ -104,22 +111,49 @@ void PlanPath::drawGrid(QPainter& painter, const View& view) const {
                      tr("grid %1 cm").arg(grid_cm));
 }
 
+QPainterPath PlanPath::stepLine(std::size_t step, const View& view) const {
+    QPainterPath path(view.map(corners_[step]));
+    for (int piece = 1; piece <= kArcPieces; ++piece)
+        path.lineTo(view.map(
+            along(corners_[step], movements_[step], static_cast<double>(piece) / kArcPieces, track_cm_)));
+    return path;
+}
+
 void PlanPath::drawSteps(QPainter& painter, const View& view) const {
     const Tokens& tokens = tokensOf(palette());
-    for (std::size_t i = 0; i < movements_.size(); ++i) {
-        QPainterPath path(view.map(corners_[i]));
-        for (int piece = 1; piece <= kArcPieces; ++piece)
-            path.lineTo(view.map(
-                along(corners_[i], movements_[i], static_cast<double>(piece) / kArcPieces, track_cm_)));
-        const bool lit = static_cast<int>(i) + 1 == executing_;
-        const bool chosen = static_cast<int>(i) == chosen_;
-        const QColor colour = lit || chosen ? tokens.accent : tokens.text;
-        painter.setPen(QPen(colour, lit ? 5 : (chosen ? 3 : 2), Qt::SolidLine, Qt::RoundCap));
-        painter.drawPath(path);
-        painter.setPen(tokens.muted);
-        painter.drawText(view.map(along(corners_[i], movements_[i], 0.5, track_cm_)) + QPointF(6, -4),
-                         QString::number(i + 1));
+    // The chosen step has a wide bed under its line, so that it is told from the one that executes.
+    if (chosen_ >= 0 && chosen_ < static_cast<int>(movements_.size())) {
+        painter.setPen(QPen(tokens.line, kChosenWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPath(stepLine(static_cast<std::size_t>(chosen_), view));
     }
+    painter.setPen(QPen(tokens.text, kStepWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (std::size_t i = 0; i < movements_.size(); ++i) {
+        if (!isLit(i)) painter.drawPath(stepLine(i, view));
+    }
+    // Last, because plans cross their own way.
+    for (std::size_t i = 0; i < movements_.size(); ++i) {
+        if (!isLit(i)) continue;
+        painter.setPen(QPen(tokens.accent, kLitWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPath(stepLine(i, view));
+    }
+}
+
+void PlanPath::drawNumbers(QPainter& painter, const View& view) const {
+    const Tokens& tokens = tokensOf(palette());
+    const QFont font = numberFont(metrics::kSmallTextSize);
+    painter.setFont(font);
+    for (std::size_t i = 0; i < movements_.size(); ++i) {
+        const QString number = QString::number(i + 1);
+        const QPointF place = view.map(along(corners_[i], movements_[i], 0.5, track_cm_)) + kNumberPlace;
+        painter.setPen(tokens.muted);
+        if (!isLit(i)) painter.drawText(place, number);
+    }
+    if (executing_ < 1 || executing_ > static_cast<int>(movements_.size())) return;
+    const auto lit = static_cast<std::size_t>(executing_ - 1);
+    const QString text = tr("\u25b6 %1").arg(executing_);
+    QRectF chip(QPointF(), chipSize(text, font));
+    chip.moveBottomLeft(view.map(along(corners_[lit], movements_[lit], 0.5, track_cm_)) + kNumberPlace);
+    drawChip(painter, chip, text, font, tokens.accent, tokens.onAccent);
 }
 
 Pose PlanPath::robot() const {
@@ -128,14 +162,8 @@ Pose PlanPath::robot() const {
     return along(corners_[step], movements_[step], done_, track_cm_);
 }
 
-void PlanPath::drawRobot(QPainter& painter, const View& view, const Pose& pose) const {
-    const Tokens& tokens = tokensOf(palette());
-    const double size = std::max(track_cm_ * view.scale, 14.0);
-    painter.save();
-    painter.translate(view.map(pose));
-    painter.rotate(-pose.heading_deg);
-    painter.setPen(QPen(executing_ > 0 ? tokens.accent : tokens.muted, 2));
-    painter.setBrush(executing_ > 0 ? tokens.accentSoft : tokens.surface);
+QPainterPath PlanPath::robotShape(const View& view) const {
+    const double size = std::max(track_cm_ * view.scale, kLeastRobot);
     QPainterPath body;
     body.moveTo(0, -size * 0.7);
     body.lineTo(size / 2, -size * 0.2);
@@ -143,19 +171,27 @@ void PlanPath::drawRobot(QPainter& painter, const View& view, const Pose& pose) 
     body.lineTo(-size / 2, size / 2);
     body.lineTo(-size / 2, -size * 0.2);
     body.closeSubpath();
-    painter.drawPath(body);
-    painter.restore();
+    const Pose pose = robot();
+    const QPointF place = view.map(pose);
+    QTransform turned = QTransform::fromTranslate(place.x(), place.y());
+    turned.rotate(-pose.heading_deg);
+    return turned.map(body);
 }
 
 void PlanPath::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), tokensOf(palette()).surface);
+    const Tokens& tokens = tokensOf(palette());
+    painter.fillRect(rect(), tokens.surface);
     const View seen = view();
     drawGrid(painter, seen);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(numberFont(metrics::kSmallTextSize));
+    // The way over the robot's body, so that the step that it is on stays seen; its outline over the way.
+    const bool runs = executing_ > 0;
+    const QPainterPath body = robotShape(seen);
+    painter.fillPath(body, runs ? tokens.accentSoft : tokens.surface);
     drawSteps(painter, seen);
-    drawRobot(painter, seen, robot());
+    painter.strokePath(body, QPen(runs ? tokens.accent : tokens.muted, 2));
+    drawNumbers(painter, seen);
 }
 
 }  // namespace kickstand::ui

@@ -6,6 +6,8 @@
 #include "core/motionplan/path.h"
 #include "core/motionplan/plan.h"
 
+class QPainterPath;
+
 namespace kickstand::ui {
 
 /// The way that a plan leads, drawn to scale from above: each step a line or an arc of the robot's middle,
@@ -33,7 +35,10 @@ class PlanPath final : public QWidget {
     View view() const;
     void drawGrid(QPainter& painter, const View& view) const;
     void drawSteps(QPainter& painter, const View& view) const;
-    void drawRobot(QPainter& painter, const View& view, const motionplan::Pose& pose) const;
+    void drawNumbers(QPainter& painter, const View& view) const;
+    QPainterPath robotShape(const View& view) const;
+    QPainterPath stepLine(std::size_t step, const View& view) const;
+    bool isLit(std::size_t step) const { return static_cast<int>(step) + 1 == executing_; }
     motionplan::Pose robot() const;
     void replan();
 

@@ -13,6 +13,7 @@
 #include "ui/motionplan/motionplan_view.h"
 #include "ui/motionplan/plan_document.h"
 #include "ui/shell/bench.h"
+#include "ui/widgets/signed_spin_box.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -53,6 +54,13 @@ QString keptText(const std::vector<std::uint8_t>& movements) {
     return parts.join(QStringLiteral(", "));
 }
 
+/// The movement that executes, where it is known.
+QString stepText(const Execution& execution) {
+    const std::vector<motionplan::Movement> movements = motionplan::movementsOf(execution.movements);
+    const auto step = static_cast<std::size_t>(execution.step);
+    return step < 1 || step > movements.size() ? QString() : movementText(movements[step - 1]);
+}
+
 /// ": 00 01 00 0d; zero bytes: 0, 2": what would be sent. Empty for what makes no message.
 QString bytesText(bool update, int plan, int slot, const std::vector<motionplan::Movement>& movements) {
     const auto sent = motionplan::sentPlan(update, plan, slot, movements);
@@ -83,7 +91,7 @@ PlanRobotPanel::PlanRobotPanel(Bench& bench, PlanDocument& document, QWidget* pa
       readTrigger_(
           button(QStringLiteral("planReadTrigger"), tr("Read"), tr("Asks for the trigger plan"), this)),
       wheels_(new QComboBox(this)),
-      change_(new QSpinBox(this)),
+      change_(new SignedSpinBox(this)),
       adjust_(button(QStringLiteral("planAdjust"), tr("Adjust"),
                      tr("Changes the speed of these wheels while the plan executes"), this)),
       notice_(label("planRobotNotice", metrics::kSmallTextSize, this)) {
@@ -193,7 +201,10 @@ void PlanRobotPanel::connectButtons() {
 
 void PlanRobotPanel::submit(const motionplan::Command& command) {
     refusal_.clear();
-    bench().submit(SystemCommand{command}, this, [this](const Result<void>& result) {
+    const bool starts = std::holds_alternative<motionplan::ExecutePlan>(command);
+    starting_ = starting_ || starts;
+    bench().submit(SystemCommand{command}, this, [this, starts](const Result<void>& result) {
+        if (starts) starting_ = false;
         if (!result) refusal_ = describe(result.error()).line();
         refresh();
     });
@@ -238,6 +249,8 @@ QString PlanRobotPanel::executionText(const Snapshot& snapshot) const {
     const Execution& execution = snapshot.execution;
     if (snapshot.outOfReach) return tr("Out of reach");
     if (!snapshot.active()) return tr("At rest");
+    // Asked for, and no step was named yet.
+    if (execution.step == 0) return tr("Plan %1").arg(execution.plan);
     QString text = tr("Plan %1, step %2").arg(execution.plan).arg(execution.step);
     if (!execution.movements.empty()) text += tr(" of %1").arg(execution.movements.size());
     return text;
@@ -251,6 +264,8 @@ void PlanRobotPanel::refresh() {
     QString progress = why;
     if (reach && snapshot->active()) {
         progress = describe(snapshot->execution.state);
+        if (const QString step = stepText(snapshot->execution); !step.isEmpty())
+            progress = tr("%1: %2").arg(progress, step);
         if (snapshot->execution.stale) progress += tr("; nothing heard for a while");
     } else if (reach && snapshot->request) {
         progress =
@@ -267,7 +282,7 @@ void PlanRobotPanel::refresh() {
     readTrigger_->setEnabled(reach);
     setTrigger_->setEnabled(
         reach && motionplan::planBytes(document_.movements(), motionplan::PlanUse::Trigger).has_value());
-    adjust_->setEnabled(reach && snapshot->active());
+    adjust_->setEnabled(reach && snapshot->execution.state == Execution::State::Runs);
     for (int slot = 0; slot < wire::kSlots; ++slot)
         refreshSlot(slot, snapshot);
     refreshTrigger(snapshot);
@@ -288,18 +303,21 @@ void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {
                          : !full      ? tr("empty")
                          : runs       ? tr("plan %1, executing").arg(state.plan)
                                       : tr("plan %1").arg(state.plan);
-    // What this connection has not sent there is not known: the robot names plans by their ID alone.
-    const QString steps = state.movements.empty()
-                              ? QString()
-                              : tr("\n%n step(s)", nullptr, static_cast<int>(state.movements.size()));
+    // The robot names plans by their ID alone.
+    const bool elsewhere = full && state.movements.empty();
+    const QString steps = elsewhere ? tr("\nsteps not known")
+                          : full    ? tr("\n%n step(s)", nullptr, static_cast<int>(state.movements.size()))
+                                    : QString();
     row.text->setText(tr("%1: %2").arg(slot).arg(held) + steps);
-    row.text->setToolTip(keptText(state.movements));
+    row.text->setToolTip(elsewhere ? tr("It was not sent over this connection, and the robot names plans by "
+                                        "their ID alone.")
+                                   : keptText(state.movements));
     row.send->setText(full ? tr("Update") : tr("Create"));
     row.send->setToolTip(tr("Sends the plan of the editor to slot %1").arg(slot) +
                          bytesText(full, full ? state.plan : id_->value(), slot, document_.movements()));
     row.send->setEnabled(reach &&
                          motionplan::planBytes(document_.movements(), motionplan::PlanUse::Slot).has_value());
-    row.execute->setEnabled(reach && (full || !state.known) && !snapshot->active());
+    row.execute->setEnabled(reach && (full || !state.known) && !snapshot->active() && !starting_);
 }
 
 void PlanRobotPanel::refreshTrigger(const Snapshot* snapshot) {

@@ -61,6 +61,7 @@ class PlanRobotPanel final : public Panel {
     QPushButton* adjust_;
     QLabel* notice_;
     QString refusal_;
+    bool starting_ = false;  ///< An Execute is not answered yet.
 };
 
 }  // namespace kickstand::ui

@@ -7,7 +7,7 @@ namespace kickstand::motionplan::sim {
 class NxtSim;
 
 /// What a hand can do to a simulated NXT: `plugged`, `loss`, `reply-loss`, `duplicate`, `delay`, `lose-next`,
-/// `lose-next-out`, `text`, `program`, `pace`, `strict-update`, `error`.
+/// `lose-next-out`, `lose-one-out`, `text`, `program`, `pace`, `strict-update`, `error`.
 class NxtActions final : public SimControl {
   public:
     /// `sim` must outlive it.
