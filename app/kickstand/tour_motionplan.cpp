@@ -1,5 +1,6 @@
 #include <QComboBox>
 #include <QSpinBox>
+#include <chrono>
 
 #include "app/kickstand/tour_maker.h"
 #include "core/link/link_uri.h"
@@ -40,6 +41,13 @@ void addEditing(TourMaker& tour) {
     });
 }
 
+/// Well within the third step.
+bool isUnderWay(const Snapshot& snapshot) {
+    constexpr Duration kWithin = std::chrono::seconds(3);
+    const motionplan::Execution& execution = snapshot.execution;
+    return execution.step > 3 || (execution.step == 3 && snapshot.time - execution.stepAt >= kWithin);
+}
+
 void addRunning(TourMaker& tour) {
     ui::Bench* const bench = tour.bench();
     tour.add("plan-query", tour.press("planQuery"), whenPlan(bench, [](const Snapshot& snapshot) {
@@ -47,8 +55,7 @@ void addRunning(TourMaker& tour) {
              }));
     tour.add("plan-send", tour.press("planSend4"),
              whenPlan(bench, [](const Snapshot& snapshot) { return snapshot.slotStates[4].plan == kPlan; }));
-    tour.show("plan-executing", tour.press("planExecute4"),
-              whenPlan(bench, [](const Snapshot& snapshot) { return snapshot.execution.step >= 3; }));
+    tour.show("plan-executing", tour.press("planExecute4"), whenPlan(bench, isUnderWay));
     tour.add("plan-stop", tour.press("planStop"), whenPlan(bench, [](const Snapshot& snapshot) {
                  return !snapshot.active() && snapshot.stopConfirmedAt != TimePoint{};
              }));

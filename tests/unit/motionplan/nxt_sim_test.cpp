@@ -65,6 +65,17 @@ TEST(NxtSim, TheOutboxHoldsFiveAndLosesTheOldest) {
     EXPECT_EQ(host.sim.report().overflows, 2U);
 }
 
+TEST(NxtSim, LosesTheOneMessageThatItIsToldTo) {
+    Host host;
+    host.sim.loseOne(2);
+    for (int code = 0; code < 3; ++code)
+        host.sim.program().putError(code);
+    EXPECT_EQ(host.read(), "07 00");
+    EXPECT_EQ(host.read(), "07 02");
+    EXPECT_EQ(host.read(), "status 40");
+    EXPECT_EQ(host.sim.loseOneFromRobot(), 0);
+}
+
 TEST(NxtSim, MovesAtItsPace) {
     Host host;
     host.send("09 00 80 09 07 05 00 09 04 0c 00");  // 20 cm
@@ -90,7 +101,7 @@ TEST(NxtSim, RubbishOnTheLineIsCountedAndHarmsNothing) {
 TEST(NxtSim, ActionsAreBounded) {
     Host host;
     SimControl& control = host.sim.control();
-    EXPECT_EQ(control.actions().size(), 12U);
+    EXPECT_EQ(control.actions().size(), 13U);
     for (const SimAction& action : control.actions()) {
         EXPECT_EQ(control.perform(action.name, -1, action.highest + 1).error().code, Errc::OutOfRange);
         EXPECT_EQ(control.perform(action.name, 0, action.lowest).error().code, Errc::BadArgument);
