@@ -11,8 +11,8 @@ namespace kickstand::sim {
 namespace {
 
 /// Options of the simulation, under the names that they have in a sim:smartdevice link as well.
-constexpr std::array<std::pair<const char*, const char*>, 3> kSimOptions{
-    {{"--type", "devices"}, {"--boot", "boot_ms"}, {"--seed", "seed"}}};
+constexpr std::array<std::pair<const char*, const char*>, 4> kSimOptions{
+    {{"--type", "devices"}, {"--boot", "boot_ms"}, {"--seed", "seed"}, {"--data", "data_bytes"}}};
 
 ctl::Expected<smartdevice::sim::SmartDeviceSimOptions> readSimulation(const Invocation& invocation) {
     LinkUri uri{.scheme = "sim", .target = "smartdevice", .options = {{"devices", "PolarBear"}}};
@@ -48,6 +48,9 @@ constexpr std::array kOptions{
                                  "the boards, as in PolarBear,Encoder.hibike; one PolarBear without it")},
     OptionSpec{"--boot", "MS",
                QT_TRANSLATE_NOOP("kickstand_sim", "from the opening of the port to the first answer")},
+    OptionSpec{"--data", "BYTES",
+               QT_TRANSLATE_NOOP("kickstand_sim",
+                                 "values of more bytes than this come in several messages; 40 without it")},
     kSeedOption,
     kControlOption,
     kJsonOption,

@@ -2,9 +2,10 @@
 #include <array>
 #include <limits>
 
+#include "app/kickstandctl/cmd_smartdevice_subscribe.h"
+#include "app/kickstandctl/device_access.h"
 #include "app/kickstandctl/device_report.h"
 #include "app/kickstandctl/families.h"
-#include "app/kickstandctl/interruption.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/session_runner.h"
@@ -18,109 +19,10 @@ namespace kickstand::ctl {
 namespace {
 
 using smartdevice::DeviceState;
-using smartdevice::PortPhase;
-using smartdevice::Presence;
 using smartdevice::wire::ParameterMask;
 
-/// A port is asked for five seconds; a board that nobody knows takes some more.
-constexpr Duration kSettleLimit = std::chrono::seconds(9);
 constexpr Duration kPingFor = std::chrono::seconds(2);
-constexpr Duration kEndless = std::chrono::hours(24 * 365);
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-constexpr int kUsualDelay_ms = 40;
-
-const smartdevice::Snapshot& stateOf(const SessionRunner& runner) {
-    return runner.stateOf<smartdevice::Snapshot>();
-}
-
-bool isUnderWay(const smartdevice::Snapshot& state) {
-    const bool asking = std::ranges::any_of(state.ports, [](const smartdevice::PortState& port) {
-        return port.phase == PortPhase::Opening || port.phase == PortPhase::Asking;
-    });
-    return asking || std::ranges::any_of(state.devices, &DeviceState::learning);
-}
-
-/// Connects; without a link to every serial port on USB.
-Outcome connect(const Context& context, SessionRunner& runner) {
-    const LinkUri uri =
-        context.invocation.link.value_or(LinkUri{.scheme = "serial", .target = {}, .options = {}});
-    if (auto connected = runner.connect(uri); !connected) return connected;
-    if (stateOf(runner).link == smartdevice::LinkState::Running) return {};
-    return badUsage(Words::tr("This link does not lead to smart devices."),
-                    Words::tr("Name serial ports, as in --link serial:/dev/ttyACM0, or sim:smartdevice."));
-}
-
-/// Waits until every port has answered, or it is known that it does not.
-Outcome settle(SessionRunner& runner) {
-    const auto settled = runner.waitUntil([&runner] { return !isUnderWay(stateOf(runner)); }, kSettleLimit);
-    if (!settled) return tl::unexpected(settled.error());
-    return {};
-}
-
-bool isCalled(const DeviceState& device, const std::string& name) {
-    return device.spec->name == name || device.port == name ||
-           smartdevice::wire::uidFromText(name) == device.uid;
-}
-
-QString namesOf(const smartdevice::Snapshot& state) {
-    QStringList names;
-    for (const DeviceState& device : state.devices)
-        names << QStringLiteral("%1 (%2)").arg(QString::fromStdString(device.spec->name),
-                                               QString::fromStdString(smartdevice::wire::toText(device.uid)));
-    return names.isEmpty() ? Words::tr("none") : names.join(QStringLiteral(", "));
-}
-
-/// The device of that name, UID or port, once it is there; its number.
-Expected<int> awaitDevice(SessionRunner& runner, const std::string& name) {
-    const auto found = [&] {
-        const auto& devices = stateOf(runner).devices;
-        return std::ranges::any_of(devices, [&](const DeviceState& device) {
-            return isCalled(device, name) && device.presence == Presence::Live && !device.learning;
-        });
-    };
-    const bool byKind = !smartdevice::wire::uidFromText(name) && name.find('/') == std::string::npos;
-    // A kind may be there twice, which is known only when every port has answered.
-    const auto waited =
-        runner.waitUntil([&] { return (found() && !byKind) || !isUnderWay(stateOf(runner)); }, kSettleLimit);
-    if (!waited) return tl::unexpected(waited.error());
-    std::vector<int> numbers;
-    for (const DeviceState& device : stateOf(runner).devices) {
-        if (isCalled(device, name) && device.presence == Presence::Live) numbers.push_back(device.number);
-    }
-    if (numbers.size() == 1) return numbers.front();
-    Failure failure = failed({.code = Errc::NoDevice, .subject = name}).value();
-    failure.text.what = numbers.empty() ? Words::tr("There is no device “%1” here.").arg(printable(name))
-                                        : Words::tr("There are several devices “%1”.").arg(printable(name));
-    failure.text.remedy =
-        Words::tr("Name one by its kind, UID or port; there are: %1.").arg(namesOf(stateOf(runner)));
-    return tl::unexpected(std::move(failure));
-}
-
-const DeviceState& deviceOf(const SessionRunner& runner, int number) {
-    return stateOf(runner).devices.at(static_cast<std::size_t>(number));
-}
-
-tl::unexpected<Failure> noParameter(const DeviceState& device, const std::string& name) {
-    QStringList known;
-    for (const smartdevice::ParameterSpec& spec : device.spec->parameters)
-        known << QString::fromStdString(spec.name);
-    return badUsage(Words::tr("%1 has no parameter “%2”.")
-                        .arg(QString::fromStdString(device.spec->name), printable(name)),
-                    Words::tr("It has: %1.").arg(known.join(QStringLiteral(", "))));
-}
-
-/// The parameters of the operands from `first` on; all that can be read where there are none.
-Expected<ParameterMask> parametersOf(const Context& context, const DeviceState& device, std::size_t first) {
-    const auto& operands = context.invocation.operands;
-    if (operands.size() <= first) return device.spec->readable();
-    ParameterMask mask = 0;
-    for (std::size_t i = first; i < operands.size(); ++i) {
-        const int parameter = device.spec->find(operands[i]);
-        if (parameter < 0) return noParameter(device, operands[i]);
-        mask = static_cast<ParameterMask>(mask | 1U << parameter);
-    }
-    return mask;
-}
 
 void printValues(const Context& context, const DeviceState& device, ParameterMask mask) {
     QList<QStringList> rows;
@@ -144,14 +46,18 @@ Outcome awaitShown(SessionRunner& runner, Shown shown) {
 // ---- The commands.
 
 Outcome listDevices(const Context& context, SessionRunner& runner) {
-    if (auto connected = connect(context, runner); !connected) return connected;
-    if (auto settled = settle(runner); !settled) return settled;
-    const smartdevice::Snapshot& state = stateOf(runner);
+    if (auto connected = connectBoards(context, runner); !connected) return connected;
+    if (auto settled = settleBoards(runner); !settled) return settled;
+    const smartdevice::Snapshot& state = boardsOf(runner);
     QJsonArray devices;
-    QList<QStringList> rows{{Words::tr("kind"), Words::tr("UID"), Words::tr("port"), Words::tr("state")}};
+    QList<QStringList> rows{
+        {Words::tr("kind"), Words::tr("name"), Words::tr("UID"), Words::tr("port"), Words::tr("state")}};
     for (const DeviceState& device : state.devices) {
-        devices.append(toJson(device));
-        rows.append({QString::fromStdString(device.spec->name),
+        QJsonObject json = toJson(device);
+        const QString own = ownNameOf(device);
+        json[QStringLiteral("own_name")] = own.isEmpty() ? QJsonValue() : QJsonValue(own);
+        devices.append(json);
+        rows.append({QString::fromStdString(device.spec->name), own.isEmpty() ? QStringLiteral("-") : own,
                      QString::fromStdString(smartdevice::wire::toText(device.uid)),
                      QString::fromStdString(device.port), describe(device.presence)});
     }
@@ -159,12 +65,13 @@ Outcome listDevices(const Context& context, SessionRunner& runner) {
     QStringList troubles;
     for (const smartdevice::PortState& port : state.ports) {
         ports.append(toJson(port));
-        if (port.error) troubles << describe(*port.error).line();
-        if (port.phase == PortPhase::Silent)
-            troubles << Words::tr("Nobody answers at %1. Check that a smart device is at its end.")
-                            .arg(QString::fromStdString(port.name));
+        if (const QString trouble = troubleOf(port); !trouble.isEmpty()) troubles << trouble;
     }
-    context.output.value(QJsonObject{{QStringLiteral("devices"), devices}, {QStringLiteral("ports"), ports}});
+    QJsonValue catalogue;
+    if (state.catalogueError) catalogue = toJson(*state.catalogueError);
+    context.output.value(QJsonObject{{QStringLiteral("devices"), devices},
+                                     {QStringLiteral("ports"), ports},
+                                     {QStringLiteral("catalogue_error"), catalogue}});
     if (rows.size() > 1) context.output.table(rows);
     if (rows.size() == 1) context.output.line(Words::tr("There is no smart device here."));
     for (const QString& trouble : troubles)
@@ -173,7 +80,7 @@ Outcome listDevices(const Context& context, SessionRunner& runner) {
 }
 
 Outcome ping(const Context& context, SessionRunner& runner) {
-    if (auto connected = connect(context, runner); !connected) return connected;
+    if (auto connected = connectBoards(context, runner); !connected) return connected;
     const auto number = awaitDevice(runner, context.invocation.operands[0]);
     if (!number) return tl::unexpected(number.error());
     if (auto waited = runner.waitUntil([] { return false; }, kPingFor); !waited)
@@ -190,7 +97,7 @@ Outcome ping(const Context& context, SessionRunner& runner) {
 }
 
 Outcome read(const Context& context, SessionRunner& runner) {
-    if (auto connected = connect(context, runner); !connected) return connected;
+    if (auto connected = connectBoards(context, runner); !connected) return connected;
     const auto number = awaitDevice(runner, context.invocation.operands[0]);
     if (!number) return tl::unexpected(number.error());
     const auto mask = parametersOf(context, deviceOf(runner, *number), 1);
@@ -242,7 +149,7 @@ Expected<WriteRequest> readWrite(const Context& context, const DeviceState& devi
 }
 
 Outcome writeAndWatch(const Context& context, SessionRunner& runner, bool& stops) {
-    if (auto connected = connect(context, runner); !connected) return connected;
+    if (auto connected = connectBoards(context, runner); !connected) return connected;
     const auto number = awaitDevice(runner, context.invocation.operands[0]);
     if (!number) return tl::unexpected(number.error());
     const auto request = readWrite(context, deviceOf(runner, *number));
@@ -286,80 +193,8 @@ Outcome writeAndWatch(const Context& context, SessionRunner& runner, bool& stops
     return outcome;
 }
 
-/// Tells each value that came anew.
-class Updates {
-  public:
-    Updates(const Context& context, SessionRunner& runner, int number, ParameterMask mask)
-        : context_(context), runner_(runner), number_(number), mask_(mask) {}
-
-    void look() {
-        const DeviceState& device = deviceOf(runner_, number_);
-        if (device.samples == samples_) return;
-        samples_ = device.samples;
-        const QJsonObject values = valuesToJson(device, mask_);
-        QJsonObject json{
-            {QStringLiteral("type"), QStringLiteral("update")},
-            {QStringLiteral("time"), isoTime(runner_.engine(), stateOf(runner_).time)},
-            {QStringLiteral("device"), QString::fromStdString(device.spec->name)},
-            {QStringLiteral("uid"), QString::fromStdString(smartdevice::wire::toText(device.uid))},
-            {QStringLiteral("values"), values}};
-        context_.output.value(json);
-        QStringList texts;
-        for (std::size_t i = 0; i < device.parameters.size(); ++i) {
-            if ((mask_ >> i & 1) == 0) continue;
-            texts << QStringLiteral("%1 %2").arg(
-                QString::fromStdString(device.spec->parameters[i].name),
-                valueText(device.spec->parameters[i], device.parameters[i].value));
-        }
-        context_.output.line(QStringLiteral("%1  %2").arg(clockText(runner_.engine(), stateOf(runner_).time),
-                                                          texts.join(QStringLiteral("  "))));
-    }
-
-  private:
-    const Context& context_;
-    SessionRunner& runner_;
-    const int number_;
-    const ParameterMask mask_;
-    std::uint64_t samples_ = 0;
-};
-
-Outcome subscribe(const Context& context, SessionRunner& runner) {
-    int delay_ms = kUsualDelay_ms;
-    if (context.invocation.has("--delay")) {
-        const auto parsed = parseWhole(context.invocation.text("--delay"), "--delay", 1, 65535);
-        if (!parsed) return tl::unexpected(parsed.error());
-        delay_ms = *parsed;
-    }
-    Duration span = kEndless;
-    if (context.invocation.has("--for")) {
-        const auto parsed = parseSeconds(context.invocation.text("--for"), "--for");
-        if (!parsed) return tl::unexpected(parsed.error());
-        span = *parsed;
-    }
-    if (auto connected = connect(context, runner); !connected) return connected;
-    const auto number = awaitDevice(runner, context.invocation.operands[0]);
-    if (!number) return tl::unexpected(number.error());
-    const auto mask = parametersOf(context, deviceOf(runner, *number), 1);
-    if (!mask) return tl::unexpected(mask.error());
-    const SystemCommand command =
-        smartdevice::Command(smartdevice::Subscribe{*number, *mask, static_cast<std::uint16_t>(delay_ms)});
-    if (auto done = runner.perform(command); !done) return done;
-    runner.watchOnly();
-    Updates updates(context, runner, *number, *mask);
-    const auto watched = runner.waitUntil(
-        [&updates] {
-            updates.look();
-            return false;
-        },
-        span);
-    // Ctrl+C is how one that has no end is ended.
-    if (!watched && !(span == kEndless && context.interruption.isRequest()))
-        return tl::unexpected(watched.error());
-    return {};
-}
-
 Outcome disable(const Context& context, SessionRunner& runner) {
-    if (auto connected = connect(context, runner); !connected) return connected;
+    if (auto connected = connectBoards(context, runner); !connected) return connected;
     const auto number = awaitDevice(runner, context.invocation.operands[0]);
     if (!number) return tl::unexpected(number.error());
     const SystemCommand command = smartdevice::Command(smartdevice::DisableDevice{*number});
@@ -399,8 +234,10 @@ constexpr std::array kSubscribeOptions{
     OptionSpec{"--delay", "MS",
                QT_TRANSLATE_NOOP("kickstandctl", "from one update to the next; 40 without it")},
     OptionSpec{"--for", "SECONDS", QT_TRANSLATE_NOOP("kickstandctl", "how long; without it until Ctrl+C")}};
-constexpr char kDeviceDetails[] = QT_TRANSLATE_NOOP(
-    "kickstandctl", "DEVICE is its kind (PolarBear) where there is one of it, its UID, or its port.");
+constexpr char kDeviceDetails[] = QT_TRANSLATE_NOOP("kickstandctl",
+                                                    "DEVICE is its kind (PolarBear) where there is one of "
+                                                    "it, the name it was given in the window, its UID, or "
+                                                    "its port.");
 
 constexpr CommandSpec kCommands[] = {
     {"smartdevice list",
@@ -436,7 +273,8 @@ constexpr CommandSpec kCommands[] = {
      kDeviceDetails, kWriteOptions, "smartdevice write PolarBear duty_cycle=0.2 --for 2", write},
     {"smartdevice subscribe", "DEVICE [PARAMETER]…", 1, kAnyNumber,
      QT_TRANSLATE_NOOP("kickstandctl", "Prints parameters as the device sends them."), kDeviceDetails,
-     kSubscribeOptions, "--json smartdevice subscribe LineFollower --delay 20 --for 5", leaving<subscribe>},
+     kSubscribeOptions, "--json smartdevice subscribe LineFollower --delay 20 --for 5",
+     leaving<subscribeBoard>},
     {"smartdevice disable",
      "DEVICE",
      1,

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "core/engine/describe_facts.h"
+#include "core/engine/describe_smartdevice.h"
 
 namespace kickstand {
 namespace {
@@ -208,6 +209,8 @@ Description describe(const Finding& finding) {
             return traffic(finding);
         case Check::Answers:
             return answers(finding);
+        case Check::Catalogue:
+            return finding.error ? describeCatalogueError(*finding.error) : Description{};
     }
     return {};
 }
@@ -240,6 +243,8 @@ QString describe(Check check) {
             return Words::tr("Traffic");
         case Check::Answers:
             return Words::tr("Answers");
+        case Check::Catalogue:
+            return Words::tr("Catalogue");
     }
     return {};
 }

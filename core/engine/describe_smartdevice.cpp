@@ -108,6 +108,17 @@ QString describe(smartdevice::WriteVerdict verdict) {
     return {};
 }
 
+Description describeCatalogueError(const Error& error) {
+    return {DeviceWords::tr("The catalogue of your own boards is left out: %1: %2.")
+                .arg(printable(error.subject), printable(error.detail)),
+            DeviceWords::tr("Put the file right, or take it away; what it has to be stands in the help."),
+            {}};
+}
+
+QString ownNameKey(const smartdevice::wire::Uid& uid) {
+    return QStringLiteral("smartdevice/names/") + QString::fromStdString(smartdevice::wire::toText(uid));
+}
+
 EventText describeSmartDeviceEvent(const smartdevice::Event& event) {
     const QString text = printable(event.text);
     switch (event.kind) {
@@ -124,6 +135,11 @@ EventText describeSmartDeviceEvent(const smartdevice::Event& event) {
         case EventKind::Subscribed:
             if (event.code == 0) return information(DeviceWords::tr("sends no updates"));
             return information(DeviceWords::tr("sends updates every %1 ms").arg(event.code));
+        case EventKind::Ungranted:
+            return warning(
+                DeviceWords::tr("grants no updates, though it was asked %1 times").arg(event.code));
+        case EventKind::Update:
+            return information(DeviceWords::tr("sent an update"));
         case EventKind::WriteRefused:
             return warning(DeviceWords::tr("%1 was refused").arg(text));
         case EventKind::WriteChanged:

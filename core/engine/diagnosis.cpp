@@ -165,6 +165,8 @@ const char* name(Check check) {
             return "traffic";
         case Check::Answers:
             return "answers";
+        case Check::Catalogue:
+            return "catalogue";
     }
     return "";
 }

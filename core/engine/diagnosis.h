@@ -26,7 +26,8 @@ enum class Check {
     Feedback,
     Battery,
     Traffic,
-    Answers,  ///< Does what is at a serial port answer?
+    Answers,    ///< Does what is at a serial port answer?
+    Catalogue,  ///< Can the user's catalogue of boards be read? Only where it cannot.
 };
 
 /// What is to answer at a serial port.

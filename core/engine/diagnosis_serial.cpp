@@ -145,6 +145,13 @@ std::vector<Finding> diagnoseSerial(const LinkUri& uri, const smartdevice::Snaps
     answers.answering = static_cast<int>(live);
     answers.state = live > 0 ? CheckState::Ok : missing ? CheckState::NotChecked : CheckState::Problem;
     findings.push_back(std::move(answers));
+    if (state.catalogueError) {
+        Finding catalogue;
+        catalogue.check = Check::Catalogue;
+        catalogue.state = CheckState::Warning;
+        catalogue.error = state.catalogueError;
+        findings.push_back(std::move(catalogue));
+    }
     return findings;
 }
 

@@ -14,12 +14,14 @@ namespace kickstand::smartdevice {
 // there now, and with UnknownName where there never was one of that number.
 
 /// Asks for updates of these parameters from now on, also after the device has been away. Answered when the
-/// device has said what it grants; TimedOut. The mask is cut to what can be read.
+/// device has said what it grants; TimedOut, though it is asked on for a while. The mask is cut to what can
+/// be read.
 struct Subscribe {
     static constexpr bool kMovesNothing = true;
     int device = 0;
     wire::ParameterMask parameters = 0;
     std::uint16_t delay_ms = 40;  ///< 0 ends the updates.
+    bool told = false;            ///< Each Data is an event of its own, so that none is missed.
 };
 
 /// Asks for values once. Answered when all of them have come; BadArgument where nothing of it can be read,

@@ -12,16 +12,14 @@ using std::chrono::milliseconds;
 
 constexpr Duration kQuietAfter = std::chrono::seconds(1);
 constexpr Duration kLostAfter = std::chrono::seconds(3);
-constexpr Duration kAnswerLimit = milliseconds(500);
+/// Long enough for a request or two to get lost on the way.
+constexpr Duration kGrantLimit = milliseconds(1600);
 /// So long until a question is asked again: a line with noise may have lost it, or its answer.
 constexpr Duration kAskAgainAfter = milliseconds(200);
 constexpr int kReads = 3;
-constexpr int kLearningReads = 2;
 /// So long without a sample that should have come, while heartbeats are answered: the board began anew.
 constexpr Duration kUpdatesMissing = std::chrono::seconds(1);
-constexpr Duration kLearnLimit = milliseconds(100);
 constexpr std::uint16_t kUsualDelay_ms = 40;
-constexpr int kHighestBit = wire::kMostParameters - 1;
 
 constexpr wire::ParameterMask bit(int parameter) {
     return static_cast<wire::ParameterMask>(1U << parameter);
@@ -107,17 +105,17 @@ void Device::disconnected(TimePoint now) {
     state_.presence = Presence::Lost;
     state_.subscribed = 0;
     state_.delay_ms = 0;
-    driving_ = 0;
-    state_.driving = false;
+    request_.end();
+    stopOwed_ = false;
+    noteStopped();
+    // The port will be opened anew, which resets the board.
+    forgetWritten(Forget::All);
     for (const CommandId id : judge_.abandon())
         host_.answer(id, fail(Errc::Disconnected, state_.spec->name));
     for (const PendingRead& read : std::exchange(reads_, {}))
         host_.answer(read.id, fail(Errc::Disconnected, state_.spec->name));
     for (const PendingSubscription& one : std::exchange(subscriptions_, {}))
         host_.answer(one.id, fail(Errc::Disconnected, state_.spec->name));
-    for (ParameterState& parameter : state_.parameters) {
-        if (parameter.verdict == WriteVerdict::Pending) parameter.verdict = WriteVerdict::None;
-    }
     for (std::size_t i = 0; i < state_.parameters.size(); ++i)
         host_.samples->gap({static_cast<std::uint16_t>(state_.number), static_cast<std::uint16_t>(i)}, now);
     host_.changed();
@@ -132,6 +130,7 @@ void Device::setPresence(Presence presence) {
 
 void Device::step(TimePoint now) {
     if (!isLive()) return;
+    if (stopOwed_) sendStop();
     if (const auto beat = heartbeat_.due(now)) host_.send(wire::HeartbeatRequest{*beat});
     if (learning_ >= 0 && now >= learnUntil_) {
         if (--learningReadsLeft_ > 0)
@@ -166,10 +165,22 @@ bool Device::send(PendingRead& read, TimePoint now) {
 }
 
 void Device::watchUpdates(TimePoint now) {
-    if (state_.subscribed == 0 || state_.delay_ms == 0 || state_.presence != Presence::Live) return;
+    if (state_.presence != Presence::Live) return;
+    switch (request_.due(now)) {
+        case UpdateRequest::Due::AskAgain:
+            return requestUpdates();
+        case UpdateRequest::Due::GiveUp:
+            state_.ungranted = true;
+            return raise(EventKind::Ungranted, {}, UpdateRequest::kAsks);
+        case UpdateRequest::Due::Nothing:
+            break;
+    }
+    if (request_.isOpen() || state_.subscribed == 0 || state_.delay_ms == 0) return;
     const Duration limit = std::max<Duration>(kUpdatesMissing, 4 * milliseconds(state_.delay_ms));
     if (now - sampleAt_ < limit) return;
     raise(EventKind::DeviceReset);
+    noteStopped();
+    forgetWritten(Forget::All);
     askForUpdates(now);
 }
 
@@ -197,11 +208,15 @@ void Device::take(const wire::SubscriptionResponse& message, TimePoint now) {
     state_.subscribed = message.delay_ms == 0 ? wire::ParameterMask{0} : message.parameters;
     const std::uint16_t before = std::exchange(state_.delay_ms, message.delay_ms);
     sampleAt_ = now;
+    pieces_.restart(state_.subscribed, state_.delay_ms != 0);
     if (before != message.delay_ms) raise(EventKind::Subscribed, {}, message.delay_ms, state_.wantedDelay_ms);
-    if (subscriptions_.empty()) return;
-    const PendingSubscription first = subscriptions_.front();
-    subscriptions_.erase(subscriptions_.begin());
-    host_.answer(first.id, {});
+    // A ping is answered in the same way, by a board that has not been asked for updates yet.
+    if ((message.delay_ms == 0) != (state_.wantedDelay_ms == 0)) return;
+    request_.end();
+    state_.ungranted = false;
+    // There is one subscription: what holds now holds for whoever asked.
+    for (const PendingSubscription& one : std::exchange(subscriptions_, {}))
+        host_.answer(one.id, {});
 }
 
 bool Device::fits(const wire::DeviceData& message) {
@@ -226,18 +241,37 @@ void Device::take(const wire::DeviceData& message, TimePoint now) {
     sampleAt_ = now;
     if (!fits(message)) return;
     store(message, now);
-    judge_.data(message.parameters, state_.delay_ms != 0 && message.parameters == state_.subscribed,
+    const SamplePieces::Part part = pieces_.take(message.parameters);
+    const bool answersRead = answerReads(message.parameters, part != SamplePieces::Part::None);
+    using Role = WriteJudge::Role;
+    const bool answers = part == SamplePieces::Part::None && !answersRead;
+    judge_.data(message.parameters,
+                part == SamplePieces::Part::End ? Role::SampleEnd
+                : answers                       ? Role::Answer
+                                                : Role::Other,
                 state_.parameters);
     applyJudgements();
+}
+
+/// Whether it may be the answer to one of them; a sample is as good, but answers none.
+bool Device::answerReads(wire::ParameterMask mask, bool sample) {
+    const bool answers = !sample && mask != 0 && std::ranges::any_of(reads_, [&](const PendingRead& read) {
+        return (mask & ~read.missing) == 0;
+    });
     std::erase_if(reads_, [&](PendingRead& read) {
-        read.missing = static_cast<wire::ParameterMask>(read.missing & ~message.parameters);
+        read.missing = static_cast<wire::ParameterMask>(read.missing & ~mask);
         if (read.missing == 0) host_.answer(read.id, {});
         return read.missing == 0;
     });
+    return answers;
 }
 
 void Device::store(const wire::DeviceData& message, TimePoint now) {
     ByteView left = message.values.view();
+    if (told_)
+        raise(EventKind::Update, std::string(left.begin(), left.end()), message.parameters,
+              static_cast<std::int64_t>(updates_));
+    ++updates_;
     for (std::size_t i = 0; i < state_.parameters.size(); ++i) {
         if ((message.parameters & bit(static_cast<int>(i))) == 0) continue;
         const ParameterSpec& spec = state_.spec->parameters[i];
@@ -256,13 +290,20 @@ void Device::store(const wire::DeviceData& message, TimePoint now) {
 
 void Device::askForUpdates(TimePoint now) {
     sampleAt_ = now;
+    state_.ungranted = false;
+    request_.begin(now);
+    requestUpdates();
+}
+
+void Device::requestUpdates() {
     host_.send(wire::SubscriptionRequest{state_.wanted, state_.wantedDelay_ms});
 }
 
 void Device::subscribe(CommandId id, const Subscribe& command, TimePoint now) {
     state_.wanted = static_cast<wire::ParameterMask>(command.parameters & state_.spec->readable());
     state_.wantedDelay_ms = command.delay_ms;
-    subscriptions_.push_back({id, now + kAnswerLimit});
+    told_ = command.told;
+    subscriptions_.push_back({id, now + kGrantLimit});
     askForUpdates(now);
     host_.changed();
 }
@@ -283,6 +324,7 @@ Result<void> Device::checkWrite(const WriteValues& command) const {
                         state_.spec->name + " has no such parameter");
         const ParameterSpec& spec = state_.spec->parameters[static_cast<std::size_t>(parameter)];
         if (!spec.writable()) return fail(Errc::BadArgument, spec.name, "it can only be read");
+        if (spec.width() == 0) return fail(Errc::BadArgument, spec.name, "nobody knows how wide it is");
         if (wire::typeOf(value) != spec.type || wire::bytesOf(value).size() != spec.width())
             return fail(Errc::BadArgument, spec.name, std::string("it is a ") + wire::name(spec.type));
         const auto number = wire::toNumber(value);
@@ -296,6 +338,7 @@ Result<void> Device::checkWrite(const WriteValues& command) const {
 
 void Device::write(CommandId id, const WriteValues& command, TimePoint now) {
     if (auto right = checkWrite(command); !right) return host_.answer(id, std::move(right));
+    if (!sendValues(command.values)) return host_.answer(id, fail(Errc::QueueFull, state_.port));
     std::map<int, wire::Value> readable;
     for (const auto& [parameter, value] : command.values) {
         ParameterState& state = state_.parameters[static_cast<std::size_t>(parameter)];
@@ -304,7 +347,6 @@ void Device::write(CommandId id, const WriteValues& command, TimePoint now) {
         state.verdict = confirmed ? WriteVerdict::Pending : WriteVerdict::Unconfirmed;
         if (confirmed) readable.insert_or_assign(parameter, value);
     }
-    sendValues(command.values);
     if (readable.empty())
         host_.answer(id, {});
     else
@@ -313,7 +355,7 @@ void Device::write(CommandId id, const WriteValues& command, TimePoint now) {
     host_.changed();
 }
 
-void Device::sendValues(const std::vector<std::pair<int, wire::Value>>& values) {
+bool Device::sendValues(const std::vector<std::pair<int, wire::Value>>& values) {
     wire::DeviceWrite message;
     std::map<int, wire::Value> ascending;
     for (const auto& [parameter, value] : values)
@@ -321,18 +363,35 @@ void Device::sendValues(const std::vector<std::pair<int, wire::Value>>& values) 
     for (const auto& [parameter, value] : ascending) {
         message.parameters = static_cast<wire::ParameterMask>(message.parameters | bit(parameter));
         wire::appendValue(message.values, value);
-        noteDriving(parameter, value);
     }
+    if (!host_.send(message)) return false;
+    for (const auto& [parameter, value] : ascending)
+        noteDriving(parameter, value);
     state_.disabled = false;
-    host_.send(message);
+    return true;
 }
 
 void Device::noteDriving(int parameter, const wire::Value& value) {
-    if (!state_.spec->parameters[static_cast<std::size_t>(parameter)].zeroOnStop) return;
-    const bool drives = wire::toNumber(value).value_or(0) != 0;
+    const ParameterSpec& spec = state_.spec->parameters[static_cast<std::size_t>(parameter)];
+    if (!spec.moves) return;
+    // Zero ends a speed, but is a place like any other; whether one has been reached nobody says.
+    const bool drives = !spec.zeroOnStop || wire::toNumber(value).value_or(0) != 0;
     driving_ =
         static_cast<wire::ParameterMask>(drives ? driving_ | bit(parameter) : driving_ & ~bit(parameter));
     state_.driving = driving_ != 0;
+}
+
+void Device::noteStopped() {
+    driving_ = 0;
+    state_.driving = false;
+}
+
+void Device::forgetWritten(Forget what) {
+    for (std::size_t i = 0; i < state_.parameters.size(); ++i) {
+        if (what == Forget::WhatMoves && !state_.spec->parameters[i].moves) continue;
+        state_.parameters[i].written.reset();
+        state_.parameters[i].verdict = WriteVerdict::None;
+    }
 }
 
 void Device::applyJudgements() {
@@ -363,11 +422,11 @@ Result<void> Device::resultOf(const WriteJudge::Ended& ended) const {
 // ---- Stopping.
 
 Result<void> Device::disable() {
-    driving_ = 0;
-    state_.driving = false;
+    if (!host_.send(wire::DeviceDisable{})) return fail(Errc::QueueFull, state_.port);
+    noteStopped();
+    forgetWritten(Forget::WhatMoves);
     state_.disabled = true;
     host_.changed();
-    if (!host_.send(wire::DeviceDisable{})) return fail(Errc::QueueFull, state_.port);
     raise(EventKind::Disabled);
     return {};
 }
@@ -378,57 +437,25 @@ void Device::stop() {
     for (ParameterState& parameter : state_.parameters) {
         if (parameter.verdict == WriteVerdict::Pending) parameter.verdict = WriteVerdict::None;
     }
-    if (!isLive()) return;
+    if (isLive()) sendStop();
+}
+
+void Device::sendStop() {
     std::vector<std::pair<int, wire::Value>> zeros;
     for (std::size_t i = 0; i < state_.spec->parameters.size(); ++i) {
         const ParameterSpec& spec = state_.spec->parameters[i];
         const auto zero = wire::fromNumber(spec.type, 0);
         if (spec.zeroOnStop && zero) zeros.emplace_back(static_cast<int>(i), *zero);
     }
-    if (!zeros.empty()) sendValues(zeros);
-    driving_ = 0;
-    state_.driving = false;
+    const bool zeroed = zeros.empty() || sendValues(zeros);
+    // The one is worth sending without the other.
+    stopOwed_ = !host_.send(wire::DeviceDisable{}) || !zeroed;
+    if (stopOwed_) return;
+    noteStopped();
+    forgetWritten(Forget::WhatMoves);
+    for (const auto& [parameter, zero] : zeros)
+        state_.parameters[static_cast<std::size_t>(parameter)].written = zero;
     state_.disabled = true;
-    host_.send(wire::DeviceDisable{});
-    host_.changed();
-}
-
-// ---- Finding out what a board of an unknown kind has.
-
-void Device::learnNext(TimePoint now) {
-    if (++learning_ > kHighestBit) return endLearning(now);
-    learningReadsLeft_ = kLearningReads;
-    askLearning(now);
-}
-
-void Device::askLearning(TimePoint now) {
-    learnUntil_ = now + kLearnLimit;
-    host_.send(wire::DeviceRead{bit(learning_)});
-}
-
-void Device::learned(const wire::DeviceData& message, TimePoint now) {
-    const bool answers = message.parameters == bit(learning_) && !message.values.empty() &&
-                         message.values.size() <= wire::kWidestValue;
-    if (!answers) return;
-    // What lies between cannot be read; it stays without a width.
-    while (static_cast<int>(learnt_.parameters.size()) <= learning_) {
-        ParameterSpec spec;
-        spec.name = "parameter" + std::to_string(learnt_.parameters.size());
-        spec.access = Access::Write;
-        learnt_.parameters.push_back(std::move(spec));
-    }
-    learnt_.parameters.back().access = Access::ReadWrite;
-    learnt_.parameters.back().rawWidth = static_cast<std::uint8_t>(message.values.size());
-    learnNext(now);
-}
-
-void Device::endLearning(TimePoint now) {
-    learning_ = -1;
-    state_.learning = false;
-    state_.spec = std::make_shared<const DeviceSpec>(learnt_);
-    state_.parameters.assign(learnt_.parameters.size(), ParameterState{});
-    state_.wanted = state_.spec->readable();
-    askForUpdates(now);
     host_.changed();
 }
 

@@ -7,7 +7,9 @@
 #include "core/smartdevice/commands.h"
 #include "core/smartdevice/events.h"
 #include "core/smartdevice/heartbeat.h"
+#include "core/smartdevice/sample_pieces.h"
 #include "core/smartdevice/snapshot.h"
+#include "core/smartdevice/update_request.h"
 #include "core/smartdevice/write_judge.h"
 
 namespace kickstand::smartdevice {
@@ -46,6 +48,8 @@ class Device {
     /// STOP: zero to all that drives, then disable.
     void stop();
 
+    /// Whether its line has yet to take what STOP sends.
+    bool owesStop() const { return stopOwed_; }
     bool isLive() const { return state_.presence != Presence::Lost; }
     const DeviceState& state() const { return state_; }
 
@@ -65,15 +69,21 @@ class Device {
     void take(const wire::DeviceData& message, TimePoint now);
     void store(const wire::DeviceData& message, TimePoint now);
     bool fits(const wire::DeviceData& message);
+    bool answerReads(wire::ParameterMask mask, bool sample);
     void askForUpdates(TimePoint now);
+    void requestUpdates();
     bool send(PendingRead& read, TimePoint now);
     void learnNext(TimePoint now);
     void askLearning(TimePoint now);
     void learned(const wire::DeviceData& message, TimePoint now);
     void endLearning(TimePoint now);
     Result<void> checkWrite(const WriteValues& command) const;
-    void sendValues(const std::vector<std::pair<int, wire::Value>>& values);
+    bool sendValues(const std::vector<std::pair<int, wire::Value>>& values);
+    void sendStop();
     void noteDriving(int parameter, const wire::Value& value);
+    void noteStopped();
+    enum class Forget { WhatMoves, All };
+    void forgetWritten(Forget what);
     void applyJudgements();
     Result<void> resultOf(const WriteJudge::Ended& ended) const;
     void setPresence(Presence presence);
@@ -87,7 +97,12 @@ class Device {
     WriteJudge judge_;
     std::vector<PendingRead> reads_;
     std::vector<PendingSubscription> subscriptions_;
-    wire::ParameterMask driving_ = 0;  ///< Parameters that STOP would zero and that are not zero.
+    UpdateRequest request_;
+    SamplePieces pieces_;
+    bool stopOwed_ = false;  ///< The line did not take what STOP sends.
+    bool told_ = false;      ///< Whether each Data is an event.
+    std::uint64_t updates_ = 0;
+    wire::ParameterMask driving_ = 0;  ///< Speeds that were written and are not zero, and positions.
     TimePoint sampleAt_{};             ///< The last Data, or when updates were asked for.
     bool misfitTold_ = false;
     int learning_ = -1;  ///< The parameter that is being read to find out its width.

@@ -24,6 +24,10 @@ std::string_view name(EventKind kind) noexcept {
             return "device-reset";
         case EventKind::Subscribed:
             return "subscribed";
+        case EventKind::Ungranted:
+            return "ungranted";
+        case EventKind::Update:
+            return "update";
         case EventKind::WriteRefused:
             return "write-refused";
         case EventKind::WriteChanged:

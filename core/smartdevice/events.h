@@ -18,8 +18,10 @@ enum class EventKind : std::uint8_t {
     DeviceBack,   ///< As DeviceFound, of one that was there before.
     DeviceQuiet,  ///< Nothing came from it for a second.
     DeviceLost,
-    DeviceReset,   ///< It began anew by itself; its subscription was asked for again.
-    Subscribed,    ///< code: the delay granted, ms; previous: the one asked for.
+    DeviceReset,  ///< It began anew by itself; its subscription was asked for again.
+    Subscribed,   ///< code: the delay granted, ms; previous: the one asked for.
+    Ungranted,    ///< It grants no updates; code: how often it was asked.
+    Update,  ///< Data came. code: its parameters' mask; text: their bytes; previous: how many came before.
     WriteRefused,  ///< text: the parameter.
     WriteChanged,  ///< text: the parameter; value: what it has instead.
     Disabled,

@@ -33,6 +33,7 @@ void Session::raise(EventKind kind, int device, std::string text, std::int64_t c
 void Session::start() {
     auto catalogue = makeCatalogue(parts_.userCatalogue, parts_.userCatalogueSource);
     if (!catalogue) {
+        catalogueError_ = catalogue.error();
         raise(EventKind::CatalogueBad, -1, catalogue.error().subject + ": " + catalogue.error().detail);
         catalogue = makeCatalogue();
     }
@@ -95,11 +96,19 @@ Device* Session::deviceFor(const wire::Uid& uid) {
     const auto known =
         std::ranges::find_if(devices_, [&](const auto& device) { return device->state().uid == uid; });
     if (known != devices_.end()) return known->get();
-    return devices_.size() < kMostDevices ? makeDevice(uid) : nullptr;
+    const auto count = static_cast<int>(devices_.size());
+    if (count < kMostKnownDevices) {
+        devices_.emplace_back();
+        return makeDevice(uid, count);
+    }
+    // More are known than can be plugged in, so that one of them is lost.
+    const auto lostAt = [this](const auto& device) {
+        return placeOf(*device) != nullptr ? TimePoint::max() : device->state().heardAt;
+    };
+    return makeDevice(uid, (*std::ranges::min_element(devices_, {}, lostAt))->state().number);
 }
 
-Device* Session::makeDevice(const wire::Uid& uid) {
-    const int number = static_cast<int>(devices_.size());
+Device* Session::makeDevice(const wire::Uid& uid, int number) {
     DeviceHost host;
     host.send = [this, number](const wire::Message& message) {
         Place* place = placeOf(*devices_[static_cast<std::size_t>(number)]);
@@ -115,8 +124,13 @@ Device* Session::makeDevice(const wire::Uid& uid) {
     host.answer = [this](CommandId id, Result<void> result) { host_.answer(id, std::move(result)); };
     host.changed = [this] { ++version_; };
     host.samples = &host_.samples;
-    devices_.push_back(std::make_unique<Device>(number, uid, catalogue_.find(uid.device()), std::move(host)));
-    return devices_.back().get();
+    auto& device = devices_[static_cast<std::size_t>(number)];
+    device = std::make_unique<Device>(number, uid, catalogue_.find(uid.device()), std::move(host));
+    return device.get();
+}
+
+std::ptrdiff_t Session::pluggedIn() const {
+    return std::ranges::count_if(places_, [](const auto& place) { return place->device != nullptr; });
 }
 
 void Session::identified(Place& place, const wire::Uid& uid) {
@@ -127,8 +141,8 @@ void Session::identified(Place& place, const wire::Uid& uid) {
         error.detail = std::move(detail);
         place.line->refuse(error);
     };
+    if (pluggedIn() >= kMostDevices) return refuse(Errc::QueueFull, "32 boards are the most at once");
     Device* device = deviceFor(uid);
-    if (device == nullptr) return refuse(Errc::QueueFull, "32 boards are the most at once");
     if (placeOf(*device) != nullptr) return refuse(Errc::BadArgument, "two boards have the same UID");
     const bool back = !device->state().port.empty();
     place.device = device;
@@ -208,17 +222,27 @@ void Session::stepDevices(TimePoint now) {
         device->step(now);
         if (!device->isLive()) place->line->restart();
     }
+    noteHalt();
+}
+
+void Session::noteHalt() {
+    if (!halting_ || std::ranges::any_of(devices_, [](const auto& device) { return device->owesStop(); }))
+        return;
+    halting_ = false;
+    stoppedAt_ = host_.scheduler.now();
+    ++version_;
 }
 
 void Session::halt() {
     blocked_ = true;
-    stoppedAt_ = host_.scheduler.now();
+    halting_ = true;
     ++version_;
     for (const auto& device : devices_) {
         const bool there = placeOf(*device) != nullptr;
         device->stop();
         if (there) raise(EventKind::Stopped, device->state().number, device->state().spec->name);
     }
+    noteHalt();
 }
 
 bool Session::active() const {
@@ -249,6 +273,7 @@ Snapshot Session::snapshot() const {
     snapshot.link = looked_ ? LinkState::Running : LinkState::Opening;
     snapshot.stoppedAt = stoppedAt_;
     snapshot.blocked = blocked_;
+    snapshot.catalogueError = catalogueError_;
     for (const auto& place : places_)
         snapshot.ports.push_back(place->line->state());
     for (const auto& device : devices_)

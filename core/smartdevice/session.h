@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,8 +61,9 @@ class Session {
     void addPort(const BytePort& port);
     void identified(Place& place, const wire::Uid& uid);
     Device* deviceFor(const wire::Uid& uid);
-    Device* makeDevice(const wire::Uid& uid);
+    Device* makeDevice(const wire::Uid& uid, int number);
     Place* placeOf(const Device& device);
+    std::ptrdiff_t pluggedIn() const;
     void perform(CommandId id, const Subscribe& command);
     void perform(CommandId id, const ReadValues& command);
     void perform(CommandId id, const WriteValues& command);
@@ -69,14 +72,17 @@ class Session {
     Result<Device*> find(int number);
     void raise(EventKind kind, int device, std::string text, std::int64_t code = 0);
     void stepDevices(TimePoint now);
+    void noteHalt();
 
     Host host_;
     SessionParts parts_;
     Catalogue catalogue_;
     std::vector<std::unique_ptr<Device>> devices_;
     std::vector<std::unique_ptr<Place>> places_;
+    std::optional<Error> catalogueError_;
     bool looked_ = false;
     bool blocked_ = false;
+    bool halting_ = false;  ///< STOP is latched, and not every line has taken it yet.
     bool ending_ = false;
     std::uint64_t version_ = 0;
     TimePoint stoppedAt_{};

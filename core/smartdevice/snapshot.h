@@ -12,8 +12,10 @@
 
 namespace kickstand::smartdevice {
 
-/// How many boards a session works with at once.
+/// How many boards a session works with at once, and how many it knows again when they come back; after
+/// that, the number of the one that was lost first is given to another.
 inline constexpr int kMostDevices = 32;
+inline constexpr int kMostKnownDevices = 2 * kMostDevices;
 
 /// What became of the last write of a parameter (help: how writes are judged).
 enum class WriteVerdict : std::uint8_t {
@@ -30,7 +32,7 @@ const char* name(WriteVerdict verdict) noexcept;
 struct ParameterState {
     std::optional<wire::Value> value{};    ///< As the device told it last.
     TimePoint at{};                        ///< When it did.
-    std::optional<wire::Value> written{};  ///< What was written last.
+    std::optional<wire::Value> written{};  ///< What was written last and, as far as is known, still holds.
     WriteVerdict verdict = WriteVerdict::None;
 };
 
@@ -58,8 +60,9 @@ struct DeviceState {
     std::uint16_t wantedDelay_ms = 0;
     wire::ParameterMask subscribed = 0;  ///< What the device granted.
     std::uint16_t delay_ms = 0;
-    bool disabled = false;  ///< Told to stop; the next write resumes it.
-    bool driving = false;   ///< A duty cycle or speed other than zero was written, and not yet taken back.
+    bool ungranted = false;  ///< It was asked for updates as often as makes sense, and granted none.
+    bool disabled = false;   ///< Told to stop; the next write resumes it.
+    bool driving = false;    ///< A speed other than zero was written and not taken back, or a position.
     std::optional<Latency> latency{};
     std::uint64_t samples = 0;  ///< Data messages so far.
     wire::DecoderCounts line;   ///< What its line carried and what was damaged.
@@ -96,8 +99,9 @@ struct Snapshot {
     std::optional<Error> error{};  ///< Never any: ports fail one by one.
     bool blocked = false;          ///< STOP is latched: nothing is written.
     std::vector<PortState> ports;
-    std::vector<DeviceState> devices;  ///< Device n at place n.
-    TimePoint stoppedAt{};             ///< When STOP was sent to all devices last.
+    std::vector<DeviceState> devices;       ///< Device n at place n.
+    TimePoint stoppedAt{};                  ///< When STOP was sent to all devices last.
+    std::optional<Error> catalogueError{};  ///< Why the user's catalogue was left out.
 };
 
 }  // namespace kickstand::smartdevice

@@ -33,17 +33,18 @@ void WriteJudge::begin(CommandId id, std::map<int, wire::Value> values,
     removeEnded();
 }
 
-void WriteJudge::data(wire::ParameterMask mask, bool sample, const std::vector<ParameterState>& parameters) {
-    bool answers = !sample;
+void WriteJudge::data(wire::ParameterMask mask, Role role, const std::vector<ParameterState>& parameters) {
+    bool answers = role == Role::Answer;
     for (Flight& flight : flights_) {
         take(flight, mask, parameters);
-        // A device that took nothing answers with nothing in it.
+        // A device that took nothing answers with nothing in it, and a long answer comes in pieces.
         const bool within = (mask & ~flight.mask) == 0;
-        if (answers && within && !flight.hasAnswer) {
+        const bool more = !flight.hasAnswer || (mask != 0 && (mask & flight.answered) == 0);
+        if (answers && within && more) {
             flight.hasAnswer = true;
-            flight.answered = mask;
+            flight.answered = static_cast<wire::ParameterMask>(flight.answered | mask);
             answers = false;
-        } else if (flight.hasAnswer && ++flight.samplesAfter >= 1) {
+        } else if (flight.hasAnswer && role == Role::SampleEnd) {
             judgeRest(flight);
         }
     }
@@ -74,10 +75,11 @@ WriteVerdict WriteJudge::verdictOf(const Flight& flight, int parameter) {
     if (flight.hasAnswer)
         return (flight.answered & bit(parameter)) != 0 ? WriteVerdict::Changed : WriteVerdict::Refused;
     // Without an answer of its own only the samples are left to go by: the old value means that it was left,
-    // and from silence nothing follows.
+    // and from silence nothing follows. Where nobody knows the old one, the missing answer has to do.
     const auto last = flight.last.find(parameter);
     if (last == flight.last.end()) return WriteVerdict::Unconfirmed;
-    return flight.before.at(parameter) != last->second ? WriteVerdict::Changed : WriteVerdict::Refused;
+    const auto& before = flight.before.at(parameter);
+    return before && *before != last->second ? WriteVerdict::Changed : WriteVerdict::Refused;
 }
 
 void WriteJudge::judgeRest(Flight& flight) {

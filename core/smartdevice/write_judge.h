@@ -32,8 +32,14 @@ class WriteJudge {
     /// A write was sent: `values` of what can be read again; `parameters` as they were before.
     void begin(CommandId id, std::map<int, wire::Value> values, const std::vector<ParameterState>& parameters,
                TimePoint now);
-    /// Data came and `parameters` have its values. `sample`: it has the mask of the subscription's samples.
-    void data(wire::ParameterMask mask, bool sample, const std::vector<ParameterState>& parameters);
+    /// What Data may be to a write.
+    enum class Role {
+        Answer,     ///< Perhaps its answer.
+        SampleEnd,  ///< With it, a whole sample has come.
+        Other,
+    };
+    /// Data came and `parameters` have its values.
+    void data(wire::ParameterMask mask, Role role, const std::vector<ParameterState>& parameters);
     /// Judges what is due.
     void step(TimePoint now);
     /// Gives up all of them; their ids.
@@ -51,7 +57,6 @@ class WriteJudge {
         wire::ParameterMask mask = 0;
         wire::ParameterMask answered = 0;  ///< What the answer had in it.
         bool hasAnswer = false;
-        int samplesAfter = 0;
         TimePoint deadline{};
         Ended end;
     };

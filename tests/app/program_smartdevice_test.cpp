@@ -1,6 +1,11 @@
 // Smart devices on the command line, over simulated boards.
 
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
 #include <csignal>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -86,10 +91,90 @@ TEST(ProgramSmartDevice, SubscribeStreamsUpdatesUntilItIsEnded) {
     program.signal(SIGINT);
     const Ended ended = program.end();
     EXPECT_EQ(ended.exitCode, 0) << ended.err;
-    for (const QJsonValue& value : ended.values()) {
+    QList<QJsonValue> values;
+    for (const QJsonValue& value : ended.values())
+        values.append(value);
+    const QJsonValue granted = values.takeFirst();
+    EXPECT_EQ(granted[QStringLiteral("type")].toString(), QStringLiteral("subscribed"));
+    EXPECT_EQ(granted[QStringLiteral("delay_ms")].toInt(), 20);
+    EXPECT_EQ(granted[QStringLiteral("parameters")].toArray(), QJsonArray{QStringLiteral("v_batt")});
+    for (const QJsonValue& value : values) {
         EXPECT_EQ(value[QStringLiteral("type")].toString(), QStringLiteral("update"));
         EXPECT_TRUE(value[QStringLiteral("values")][QStringLiteral("v_batt")].isDouble());
     }
+}
+
+TEST(ProgramSmartDevice, SubscribeTellsEveryUpdateOfAFastOne) {
+    const Ended ended = onBoards(
+        {"--json", "smartdevice", "subscribe", "BatteryBuzzer", "v_batt", "--delay", "5", "--for", "1"});
+    EXPECT_EQ(ended.exitCode, 0) << ended.err;
+    int updates = 0;
+    int lost = 0;
+    for (const QJsonValue& value : ended.values()) {
+        updates += value[QStringLiteral("type")] == QStringLiteral("update") ? 1 : 0;
+        if (value[QStringLiteral("type")] == QStringLiteral("lost"))
+            lost += value[QStringLiteral("count")].toInt();
+    }
+    EXPECT_EQ(lost, 0);
+    // A snapshot every 10 ms could not have told more than half of them.
+    EXPECT_GT(updates, 120);
+}
+
+TEST(ProgramSmartDevice, ASplitSampleIsToldPieceByPiece) {
+    const Ended ended = run({"--json", "--link", "sim:smartdevice?devices=TeamFlag&boot_ms=50&data_bytes=4",
+                             "smartdevice", "subscribe", "TeamFlag", "--for", "0.3"});
+    EXPECT_EQ(ended.exitCode, 0) << ended.err;
+    std::set<qsizetype> sizes;
+    for (const QJsonValue& value : ended.values()) {
+        if (value[QStringLiteral("type")] == QStringLiteral("update"))
+            sizes.insert(value[QStringLiteral("values")].toObject().size());
+    }
+    EXPECT_EQ(sizes, (std::set<qsizetype>{3, 4}));
+}
+
+/// Settings and a catalogue of one's own.
+class ProgramOwnBoards : public testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(folder_.isValid());
+        qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
+    }
+    void TearDown() override {
+        qunsetenv("XDG_CONFIG_HOME");
+        qunsetenv("KICKSTAND_DEVICES");
+    }
+    void write(const QString& name, const QByteArray& text) const {
+        QFile file(folder_.filePath(name));
+        ASSERT_TRUE(QDir().mkpath(QFileInfo(file).path()) && file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+    QTemporaryDir folder_;
+};
+
+TEST_F(ProgramOwnBoards, ABoardIsFoundByTheNameThatItWasGivenInTheWindow) {
+    write(QStringLiteral("kickstand/kickstand.conf"),
+          "[smartdevice]\nnames\\0c-08-01131415161718191a=left arm\n");
+    const QJsonObject list = json({"smartdevice", "list"});
+    for (const QJsonValue& device : list[QStringLiteral("devices")].toArray()) {
+        const bool named = device[QStringLiteral("name")] == QStringLiteral("PolarBear");
+        EXPECT_EQ(device[QStringLiteral("own_name")].toString(),
+                  named ? QStringLiteral("left arm") : QString());
+    }
+    EXPECT_TRUE(json({"smartdevice", "read", "left arm", "enc_pos"}).contains(QStringLiteral("enc_pos")));
+    expectRefused(onBoards({"smartdevice", "read", "right arm"}), 1, "left arm");
+}
+
+TEST_F(ProgramOwnBoards, ACatalogueThatIsNoneIsToldAndLeftOut) {
+    write(QStringLiteral("devices.json"), "{ not json");
+    qputenv("KICKSTAND_DEVICES", folder_.filePath(QStringLiteral("devices.json")).toUtf8());
+    const Ended asked = onBoards({"smartdevice", "read", "PolarBear", "enc_pos"});
+    EXPECT_EQ(asked.exitCode, 0) << "the one of the program is used";
+    EXPECT_NE(asked.err.find("devices.json: it is not JSON"), std::string::npos) << asked.err;
+    EXPECT_EQ(
+        json({"smartdevice", "list"})[QStringLiteral("catalogue_error")][QStringLiteral("code")].toString(),
+        QStringLiteral("malformed"));
+    const Ended doctor = run({"--link", kBoards, "doctor"});
+    EXPECT_NE(doctor.out.find("it is not JSON"), std::string::npos) << doctor.out;
 }
 
 TEST(ProgramSmartDevice, PingAndDisable) {
@@ -108,7 +193,7 @@ TEST(ProgramSmartDevice, WhatMakesNoSenseIsRefusedWithWhatThereIs) {
     expectRefused(onBoards({"smartdevice", "write", "PolarBear", "duty_cycle"}), 2, "NAME=VALUE");
     expectRefused(run({"--link", "sim:smartdevice?devices=Toaster", "smartdevice", "list"}), 2, "PolarBear");
     expectRefused(run({"--link", "serial:/no/such/port", "smartdevice", "read", "PolarBear"}), 1,
-                  "no device");
+                  "no serial port /no/such/port");
 }
 
 TEST(ProgramSmartDevice, FramesAreEncodedAndDecoded) {

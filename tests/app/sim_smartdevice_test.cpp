@@ -1,5 +1,7 @@
 // A simulated board on a pseudo-terminal, used by kickstandctl as if it were real.
 
+#include <QDeadlineTimer>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -62,6 +64,43 @@ TEST_F(SimSmartDevice, IsListedReadAndWrittenOverASerialPort) {
     EXPECT_GE(board[QStringLiteral("writes")].toInt(), 2) << "the duty cycle, and zero at the end";
     EXPECT_GE(board[QStringLiteral("disables")].toInt(), 1);
     EXPECT_EQ(board[QStringLiteral("values")][0].toDouble(), 0);
+}
+
+TEST_F(SimSmartDevice, ABusyPortIsSaidToBeBusyWithTheRemedy) {
+    Program holder({"--link", "serial:" + port_.string() + "?protocol=smartdevice", "--json", "smartdevice",
+                    "subscribe", port_.string()});
+    ASSERT_TRUE(holder.waitFor("\"update\""));
+    for (const char* command : {"ping", "read"}) {
+        for (const std::string& name : {port_.string(), std::string("PolarBear")}) {
+            const Ended busy = onPort({"smartdevice", command, name});
+            EXPECT_EQ(busy.exitCode, 1) << command;
+            EXPECT_TRUE(busy.oneComplaint()) << busy.err;
+            EXPECT_NE(busy.err.find(port_.string()), std::string::npos) << busy.err;
+            EXPECT_NE(busy.err.find("Close"), std::string::npos) << busy.err;
+        }
+    }
+    holder.signal(SIGINT);
+    EXPECT_EQ(holder.end().exitCode, 0);
+}
+
+TEST_F(SimSmartDevice, APolarBearWhosePortIsClosedDisablesItself) {
+    Program driving({"--link", "serial:" + port_.string() + "?protocol=smartdevice", "--json", "smartdevice",
+                     "write", "PolarBear", "duty_cycle=0.5", "--for", "60"});
+    const auto board = [this] {
+        return ctl({"--json", "show", "0"}).object()[QStringLiteral("devices")][0].toObject();
+    };
+    const auto waitFor = [](const auto& met) {
+        QDeadlineTimer watchdog(20'000);
+        while (!met()) {
+            if (watchdog.hasExpired()) return false;
+        }
+        return true;
+    };
+    ASSERT_TRUE(waitFor([&] { return board()[QStringLiteral("values")][0].toDouble() == 0.5; }));
+    driving.signal(SIGKILL);
+    driving.end();
+    EXPECT_TRUE(waitFor([&] { return board()[QStringLiteral("disabled")].toBool(); }));
+    EXPECT_EQ(board()[QStringLiteral("values")][0].toDouble(), 0);
 }
 
 TEST_F(SimSmartDevice, ABoardThatIsPulledOutIsSaidToBeGone) {

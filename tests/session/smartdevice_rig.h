@@ -24,9 +24,10 @@ class SmartDeviceRig : public ::testing::Test, private SampleSink {
         session_.reset();
     }
 
-    /// `devices` as in a sim: URI. Runs until every board has answered.
+    /// `devices` as in a sim: URI; `options_` are its other options. Runs until every board has answered.
     void start(const std::string& devices, const ByteFaultOptions& faults = {}, bool wait = true) {
-        LinkUri uri{.scheme = "sim", .target = "smartdevice", .options = {{"devices", devices}}};
+        LinkUri uri{.scheme = "sim", .target = "smartdevice", .options = options_};
+        uri.options["devices"] = devices;
         const auto options = sim::parseSimOptions(uri);
         ASSERT_TRUE(options);
         sim_ = std::make_unique<sim::SmartDeviceSim>(scheduler_, *options);
@@ -110,6 +111,7 @@ class SmartDeviceRig : public ::testing::Test, private SampleSink {
     std::map<CommandId, Result<void>> answers_;
     std::map<SignalId, int> samples_;
     std::string catalogue_;
+    std::map<std::string, std::string> options_;
     bool heartbeatFresh_ = true;
 
   private:

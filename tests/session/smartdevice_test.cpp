@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "tests/session/smartdevice_rig.h"
 
 namespace kickstand::smartdevice::testing {
@@ -47,6 +45,31 @@ TEST_F(SmartDeviceTest, ThirtyTwoBoardsAtOnce) {
     }
 }
 
+TEST_F(SmartDeviceTest, TheLimitIsOfBoardsThatArePluggedIn) {
+    sim::SmartDeviceSimOptions options;
+    options.boards.assign(kMostKnownDevices + 3, {"Encoder"});
+    options.boot = 50ms;
+    sim_ = std::make_unique<sim::SmartDeviceSim>(scheduler_, options);
+    ASSERT_TRUE(sim_->perform("plugged", -1, 0));
+    makeSession();
+    for (int i = 0; i < sim_->count(); ++i) {
+        ASSERT_TRUE(sim_->perform("plugged", i, 1));
+        ASSERT_TRUE(runUntil([&] { return numberOf(i) >= 0; }, 5s)) << i;
+        EXPECT_EQ(device(numberOf(i)).presence, Presence::Live);
+        ASSERT_TRUE(sim_->perform("plugged", i, 0));
+        run(20ms);
+    }
+    EXPECT_EQ(session_->snapshot().devices.size(), static_cast<std::size_t>(kMostKnownDevices));
+    EXPECT_EQ(numberOf(0), -1) << "its number went to another";
+    for (int i = 0; i <= kMostDevices; ++i)
+        ASSERT_TRUE(sim_->perform("plugged", i, 1));
+    ASSERT_TRUE(runUntil([this] { return live() == kMostDevices; }, 10s));
+    run(1s);
+    EXPECT_EQ(live(), kMostDevices);
+    const auto ports = session_->snapshot().ports;
+    EXPECT_EQ(std::ranges::count_if(ports, [](const PortState& port) { return port.error.has_value(); }), 1);
+}
+
 TEST_F(SmartDeviceTest, TheBoardsResetIsWaitedOut) {
     LinkUri uri{
         .scheme = "sim", .target = "smartdevice", .options = {{"devices", "PolarBear"}, {"boot_ms", "2000"}}};
@@ -72,34 +95,6 @@ TEST_F(SmartDeviceTest, APortWhereNobodyAnswersIsSilentAndCanBeTriedAgain) {
     EXPECT_TRUE(runUntil([this] { return live() == 1; }, 3s));
 }
 
-TEST_F(SmartDeviceTest, AWriteIsJudgedDoneRefusedChangedOrUnconfirmed) {
-    start("PolarBear,ServoControl");
-    const int bear = numberOf(0);
-    EXPECT_TRUE(write(bear, "duty_cycle", 0.5));
-    EXPECT_EQ(parameter(bear, "duty_cycle").verdict, WriteVerdict::Done);
-    EXPECT_EQ(parameter(bear, "duty_cycle").value, wire::Value(0.5F));
-    EXPECT_TRUE(write(bear, "pid_pos_kp", 2));
-    EXPECT_EQ(parameter(bear, "pid_pos_kp").verdict, WriteVerdict::Unconfirmed);
-    sim_->board(0).faults().refuse = 1;
-    const auto refused = write(bear, "duty_cycle", 0.25);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, Errc::DeviceRefused);
-    EXPECT_EQ(refused.error().subject, "duty_cycle");
-    EXPECT_EQ(parameter(bear, "duty_cycle").verdict, WriteVerdict::Refused);
-    EXPECT_EQ(count(EventKind::WriteRefused), 1);
-}
-
-TEST_F(SmartDeviceTest, FromSilenceAfterAWriteNothingFollows) {
-    start("PolarBear");
-    sim_->board(0).faults().silent = true;
-    run(100ms);
-    const auto written = write(0, "duty_cycle", 0.25);
-    ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().code, Errc::TimedOut);
-    EXPECT_EQ(parameter(0, "duty_cycle").verdict, WriteVerdict::Unconfirmed);
-    EXPECT_EQ(count(EventKind::WriteRefused), 0);
-}
-
 TEST_F(SmartDeviceTest, AReadWhoseAnswerIsLostIsAskedAgain) {
     start("PolarBear");
     ASSERT_TRUE(perform(Subscribe{0, 0, 0}));
@@ -113,30 +108,6 @@ TEST_F(SmartDeviceTest, AReadWhoseAnswerIsLostIsAskedAgain) {
     const auto lost = perform(ReadValues{0, 1});
     ASSERT_FALSE(lost);
     EXPECT_EQ(lost.error().code, Errc::TimedOut);
-}
-
-TEST_F(SmartDeviceTest, AWriteThatTheDeviceClampsIsChanged) {
-    // A user's catalogue that knows no bounds lets through what the board then clamps.
-    catalogue_ =
-        R"({"format": "kickstand-smart-devices", "version": 1, "devices": [{"id": 7, "name": "ServoControl",
-        "parameters": [{"name": "servo0", "type": "float", "access": "read-write"},
-                       {"name": "servo1", "type": "float", "access": "read-write"}]}]})";
-    start("ServoControl");
-    EXPECT_TRUE(write(0, "servo0", 7));
-    EXPECT_EQ(parameter(0, "servo0").verdict, WriteVerdict::Changed);
-    EXPECT_EQ(parameter(0, "servo0").value, wire::Value(1.0F));
-    EXPECT_EQ(count(EventKind::WriteChanged), 1);
-}
-
-TEST_F(SmartDeviceTest, WritesAreJudgedRightWhileSamplesRace) {
-    start("ServoControl");
-    ASSERT_TRUE(perform(Subscribe{0, 0xFFFF, 2}));
-    for (int i = 0; i < 50; ++i) {
-        ASSERT_TRUE(write(0, i % 2 == 0 ? "servo0" : "servo1", (i % 20 - 10) / 10.0));
-        EXPECT_EQ(parameter(0, i % 2 == 0 ? "servo0" : "servo1").verdict, WriteVerdict::Done) << i;
-        run(std::chrono::milliseconds(i % 7));
-    }
-    EXPECT_EQ(count(EventKind::WriteChanged) + count(EventKind::WriteRefused), 0);
 }
 
 TEST_F(SmartDeviceTest, SeveralRequestsAreInFlightAtOnce) {
@@ -156,109 +127,6 @@ TEST_F(SmartDeviceTest, SeveralRequestsAreInFlightAtOnce) {
     EXPECT_EQ(parameter(servo, "servo0").value, wire::Value(0.5F));
     EXPECT_EQ(parameter(servo, "servo1").value, wire::Value(-0.5F));
     EXPECT_EQ(device(servo).delay_ms, 100);
-}
-
-TEST_F(SmartDeviceTest, WhatMakesNoSenseIsNotSent) {
-    start("PolarBear,Encoder");
-    const int bear = numberOf(0);
-    const auto codeOf = [&](const Command& command) {
-        const auto result = perform(command);
-        return result ? Errc::Io : result.error().code;
-    };
-    EXPECT_EQ(codeOf(WriteValues{bear, {{11, wire::Value(1.0F)}}}), Errc::BadArgument) << "read-only";
-    EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(true)}}}), Errc::BadArgument) << "another type";
-    EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(1.5F)}}}), Errc::OutOfRange);
-    EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(std::nanf(""))}}}), Errc::BadArgument);
-    EXPECT_EQ(codeOf(WriteValues{bear, {{0, wire::Value(HUGE_VALF)}}}), Errc::BadArgument);
-    // Without an upper bound the lower one is told in words.
-    const auto current = perform(WriteValues{bear, {{9, wire::Value(-1.0F)}}});
-    ASSERT_FALSE(current);
-    EXPECT_EQ(current.error().code, Errc::OutOfRange);
-    EXPECT_EQ(current.error().detail, "-1, at least 0");
-    EXPECT_EQ(codeOf(WriteValues{bear, {{14, wire::Value(1.0F)}}}), Errc::BadArgument) << "no such parameter";
-    EXPECT_EQ(codeOf(WriteValues{bear, {{-1, wire::Value(1.0F)}}}), Errc::BadArgument);
-    EXPECT_EQ(codeOf(WriteValues{bear, {}}), Errc::BadArgument);
-    EXPECT_EQ(codeOf(WriteValues{7, {{0, wire::Value(1.0F)}}}), Errc::UnknownName);
-    EXPECT_EQ(codeOf(ReadValues{bear, 2}), Errc::BadArgument) << "write-only";
-    EXPECT_EQ(codeOf(DisableDevice{-3}), Errc::UnknownName);
-    EXPECT_EQ(sim_->board(0).report().writes, 0U);
-}
-
-TEST_F(SmartDeviceTest, StopWritesZeroDisablesAndBlocksUntilRearmed) {
-    start("PolarBear,ServoControl");
-    const int bear = numberOf(0);
-    const int servo = numberOf(1);
-    ASSERT_TRUE(write(servo, "servo0", 0.5));
-    ASSERT_TRUE(write(bear, "duty_cycle", 0.8));
-    EXPECT_TRUE(session_->active());
-    run(1s);
-    EXPECT_GT(*wire::toNumber(sim_->board(0).value(11)), 1000);
-    pressStop();
-    run(20ms);
-    EXPECT_FALSE(session_->active());
-    EXPECT_EQ(sim_->board(0).value(0), wire::Value(0.0F));
-    EXPECT_TRUE(sim_->board(0).report().disabled);
-    EXPECT_TRUE(sim_->board(1).report().disabled);
-    EXPECT_EQ(sim_->board(1).value(0), wire::Value(0.5F)) << "a position is a place, not a speed";
-    EXPECT_EQ(count(EventKind::Stopped), 2);
-    const auto blocked = write(bear, "duty_cycle", 0.1);
-    ASSERT_FALSE(blocked);
-    EXPECT_EQ(blocked.error().code, Errc::StopLatched);
-    EXPECT_TRUE(session_->snapshot().blocked);
-    stop_.rearm();
-    EXPECT_TRUE(write(bear, "duty_cycle", 0.1));
-    EXPECT_FALSE(sim_->board(0).report().disabled);
-}
-
-TEST_F(SmartDeviceTest, AWriteUnderWayEndsWithStop) {
-    start("ServoControl");
-    sim_->board(0).faults().silent = true;
-    const CommandId id = execute(WriteValues{0, {{0, wire::Value(0.5F)}}});
-    run(20ms);
-    pressStop();
-    ASSERT_TRUE(answers_.contains(id));
-    EXPECT_EQ(answers_[id].error().code, Errc::StopLatched);
-    EXPECT_EQ(parameter(0, "servo0").verdict, WriteVerdict::None);
-}
-
-TEST_F(SmartDeviceTest, WhatDrivesIsStoppedWhenTheProgramStopsResponding) {
-    start("PolarBear");
-    heartbeatFresh_ = false;
-    run(100ms);
-    EXPECT_FALSE(stop_.isSet()) << "nothing moved";
-    heartbeatFresh_ = true;
-    ASSERT_TRUE(write(0, "pid_vel_setpoint", 3000));
-    EXPECT_TRUE(session_->active());
-    heartbeatFresh_ = false;
-    run(20ms);
-    EXPECT_EQ(stop_.reason(), StopReason::HeartbeatStale);
-}
-
-TEST_F(SmartDeviceTest, DisablingOneLeavesTheOthers) {
-    start("PolarBear,PolarBear");
-    ASSERT_TRUE(write(0, "duty_cycle", 0.5));
-    ASSERT_TRUE(write(1, "duty_cycle", 0.5));
-    EXPECT_TRUE(perform(DisableDevice{0}));
-    run(50ms);
-    EXPECT_TRUE(device(0).disabled);
-    EXPECT_FALSE(device(0).driving);
-    EXPECT_TRUE(device(1).driving);
-    EXPECT_EQ(device(1).spec->name, "PolarBear");
-}
-
-TEST_F(SmartDeviceTest, HeartbeatsAreAnsweredAndAPolarBearWithoutThemDisablesItself) {
-    start("PolarBear");
-    ASSERT_TRUE(write(0, "duty_cycle", 0.5));
-    run(5s);
-    EXPECT_FALSE(sim_->board(0).report().disabled);
-    EXPECT_EQ(sim_->board(0).report().selfDisables, 0U);
-    session_.reset();
-    run(3s);
-    // Without a session its line is closed; a program that only holds it open is what it guards against.
-    sim_->board(0).lineOpened(115200);
-    run(3s);
-    EXPECT_EQ(sim_->board(0).report().selfDisables, 1U);
-    sim_->board(0).lineClosed();
 }
 
 TEST_F(SmartDeviceTest, ABoardIsKnownAgainByItsUidAndNothingIsWritten) {
@@ -309,6 +177,53 @@ TEST_F(SmartDeviceTest, ABoardThatResetsItselfIsSubscribedAgain) {
     EXPECT_EQ(sim_->board(0).report().subscription.delay_ms, 40);
 }
 
+TEST_F(SmartDeviceTest, ALostRequestForUpdatesIsAskedAgain) {
+    start("Encoder", {}, false);
+    sim_->board(0).faults().deafToSubscriptions = true;
+    ASSERT_TRUE(runUntil([this] { return live() == 1; }, 5s));
+    run(1200ms);
+    EXPECT_EQ(device(0).delay_ms, 0);
+    sim_->board(0).faults().deafToSubscriptions = false;
+    EXPECT_TRUE(runUntil([this] { return device(0).delay_ms == 40; }, 1s));
+    sim_->board(0).faults().deafToSubscriptions = true;
+    const CommandId id = execute(Subscribe{0, 1, 100});
+    run(700ms);
+    sim_->board(0).faults().deafToSubscriptions = false;
+    ASSERT_TRUE(runUntil([&] { return answers_.contains(id); }, 1s));
+    EXPECT_TRUE(answers_[id]);
+    EXPECT_EQ(device(0).delay_ms, 100);
+    EXPECT_EQ(count(EventKind::Ungranted), 0);
+}
+
+TEST_F(SmartDeviceTest, ABoardThatGrantsNoUpdatesIsToldAndNotAskedForEver) {
+    start("Encoder", {}, false);
+    sim_->board(0).faults().deafToSubscriptions = true;
+    ASSERT_TRUE(runUntil([this] { return live() == 1; }, 5s));
+    ASSERT_TRUE(runUntil([this] { return count(EventKind::Ungranted) == 1; }, 8s));
+    EXPECT_TRUE(device(0).ungranted);
+    const auto heard = sim_->board(0).report().heard.messages;
+    run(10s);
+    EXPECT_EQ(count(EventKind::Ungranted), 1);
+    EXPECT_LT(sim_->board(0).report().heard.messages - heard, 60U) << "heartbeats, and nothing else";
+    const auto refused = perform(Subscribe{0, 1, 40});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, Errc::TimedOut);
+}
+
+TEST_F(SmartDeviceTest, EveryUpdateIsToldToWhoAsksForThat) {
+    start("BatteryBuzzer");
+    ASSERT_TRUE(perform(Subscribe{0, 0xFFFF, 5, true}));
+    run(1s);
+    std::int64_t next = -1;
+    for (const Event& event : events_) {
+        if (event.kind != EventKind::Update) continue;
+        EXPECT_TRUE(next < 0 || event.previous == next) << event.previous;
+        next = event.previous + 1;
+        EXPECT_EQ(event.text.size(), 26U);
+    }
+    EXPECT_GE(count(EventKind::Update), 190);
+}
+
 TEST_F(SmartDeviceTest, AnUnknownKindIsFoundOutAndShownAsBytes) {
     start("Unknown,Unknown.hibike");
     ASSERT_TRUE(runUntil([this] { return !device(0).learning && !device(1).learning; }, 5s));
@@ -342,19 +257,6 @@ TEST_F(SmartDeviceTest, DataThatDoNotFitTheKindAreToldOnceAndDropped) {
     run(2s);
     EXPECT_EQ(count(EventKind::Misfit), 1);
     EXPECT_FALSE(parameter(0, "rotation").value);
-}
-
-TEST_F(SmartDeviceTest, ShutdownStopsWhatWasDrivenAndClosesEveryPort) {
-    start("PolarBear,Encoder");
-    ASSERT_TRUE(write(numberOf(0), "duty_cycle", 0.5));
-    bool done = false;
-    session_->shutdown([&] { done = true; });
-    EXPECT_TRUE(runUntil([&] { return done; }, 1s));
-    EXPECT_EQ(sim_->board(0).value(0), wire::Value(0.0F));
-    EXPECT_FALSE(sim_->board(0).report().lineOpen);
-    EXPECT_FALSE(sim_->board(1).report().lineOpen);
-    const auto late = perform(SearchAgain{});
-    EXPECT_FALSE(late);
 }
 
 TEST_F(SmartDeviceTest, ASessionThatIsDestroyedLeavesNoTimers) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "ui/shell/bench.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/theme.h"
+#include "ui/smartdevice/device_list.h"
 #include "ui/smartdevice/smartdevice_view.h"
 
 namespace kickstand::test {
@@ -42,6 +44,8 @@ class BoardWindow : public testing::Test {
   protected:
     /// A board that the test is about comes first: it is board 0.
     void connectTo(const char* devices);
+    /// The same, and no port can be opened for this reason.
+    void connectInVain(Errc obstacle);
     void TearDown() override;
 
     static bool waitFor(const std::function<bool()>& condition);
@@ -59,6 +63,19 @@ class BoardWindow : public testing::Test {
     QString text(const QString& label);
     /// Chooses a board in the list and waits until its parameters are shown.
     void choose(const QString& kind);
+    QWidget* editor(int parameter) { return find<QWidget>(QStringLiteral("editor%1").arg(parameter)); }
+    /// Types into a parameter's editor, and Enter.
+    void type(int parameter, const QString& text);
+    QString verdict(int parameter);
+    bool waitForVerdict(int parameter, const char* words) {
+        return waitFor([&] { return verdict(parameter) == QLatin1String(words); });
+    }
+    bool waitForWrite(const std::string& message) {
+        return waitFor([&] { return writes.last() == message; });
+    }
+    const ui::DeviceLine& line(int row) {
+        return find<ui::DeviceList>(QStringLiteral("boards"))->lines().at(static_cast<std::size_t>(row));
+    }
     void simulate(const char* action, int unit, double value) {
         bench->submit(SimPerform{action, unit, value});
     }
@@ -72,6 +89,8 @@ class BoardWindow : public testing::Test {
         std::make_unique<QSettings>(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
 
   private:
+    void open(std::optional<Errc> obstacle);
+
     std::unique_ptr<ui::Theme> theme_ = std::make_unique<ui::Theme>(*settings);
     ui::SystemRegistry systems_;
     std::unique_ptr<Engine> engine_;

@@ -89,11 +89,11 @@ TEST(EventFilter, ShowsWhatWasAskedFor) {
                line(QStringLiteral("charger on"), 3), line(QStringLiteral("lost"), 3, Severity::Danger),
                line(QStringLiteral("connected"))});
     EXPECT_EQ(filter.rowCount(), 4);
-    filter.setRobot(3);
+    filter.setAbout(QStringLiteral("robot 3"));
     EXPECT_EQ(filter.rowCount(), 2);
     filter.setLeast(Severity::Warning);
     EXPECT_EQ(filter.rowCount(), 1);
-    filter.setRobot(-1);
+    filter.setAbout({});
     EXPECT_EQ(filter.rowCount(), 2);
     filter.setText(QStringLiteral("  BATTERY "));
     ASSERT_EQ(filter.rowCount(), 1);

@@ -106,7 +106,7 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
         case Time:
             return tr("Time");
         case Robot:
-            return tr("Robot");
+            return tr("Whom");
         default:
             return tr("What happened");
     }
@@ -138,8 +138,8 @@ QByteArray eventCsv(const QAbstractItemModel& model) {
     return csv.toUtf8();
 }
 
-void EventFilter::setRobot(int robot) {
-    robot_ = robot;
+void EventFilter::setAbout(const QString& about) {
+    about_ = about;
     invalidateFilter();
 }
 
@@ -155,7 +155,8 @@ void EventFilter::setText(const QString& text) {
 
 bool EventFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     const QModelIndex text = sourceModel()->index(row, EventModel::Text, parent);
-    if (robot_ >= 0 && text.data(EventModel::RobotRole).toInt() != robot_) return false;
+    if (!about_.isEmpty() && text.siblingAtColumn(EventModel::Robot).data().toString() != about_)
+        return false;
     if (text.data(EventModel::SeverityRole).toInt() < static_cast<int>(least_)) return false;
     return text_.isEmpty() || text.data().toString().contains(text_, Qt::CaseInsensitive);
 }

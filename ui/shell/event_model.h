@@ -59,8 +59,8 @@ class EventFilter final : public QSortFilterProxyModel {
   public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
-    /// -1: all robots, and what concerns none.
-    void setRobot(int robot);
+    /// Whom it concerns, as EventLine has it; empty for all, and what concerns none.
+    void setAbout(const QString& about);
     void setLeast(Severity severity);
     void setText(const QString& text);
 
@@ -68,7 +68,7 @@ class EventFilter final : public QSortFilterProxyModel {
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
   private:
-    int robot_ = -1;
+    QString about_;
     Severity least_ = Severity::Information;
     QString text_;
 };

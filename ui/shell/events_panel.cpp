@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QCollator>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -29,8 +30,10 @@ namespace {
 
 constexpr int kRowHeight = 24;
 constexpr int kTimeWidth = 108;
-constexpr int kRobotWidth = 76;
-constexpr int kUnits = 16;
+/// Room for "robot 15", and for what longer names may take.
+constexpr int kAboutWidth = 76;
+constexpr int kMostAboutWidth = 200;
+constexpr int kMostUnits = 128;
 constexpr double kMark = 8;
 /// Room for "explain".
 constexpr int kMore = 72;
@@ -113,7 +116,7 @@ void EventsPanel::buildView() {
     view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view_->setColumnWidth(EventModel::Time, kTimeWidth);
-    view_->setColumnWidth(EventModel::Robot, kRobotWidth);
+    view_->setColumnWidth(EventModel::Robot, kAboutWidth);
 
     addActions();
     connect(view_->verticalScrollBar(), &QScrollBar::valueChanged, this, &EventsPanel::noteScroll);
@@ -160,12 +163,13 @@ void EventsPanel::addFilters(QWidget* tools, QHBoxLayout* row) {
     text->setAccessibleName(tr("Show events that contain"));
     text->setClearButtonEnabled(true);
     text->setFixedWidth(150);
-    auto* robots = new QComboBox(tools);
-    robots->setObjectName(QStringLiteral("eventRobot"));
-    robots->setAccessibleName(tr("Show events of robot"));
-    robots->addItem(tr("All robots"), -1);
-    for (int robot = 0; robot < kUnits; ++robot)
-        robots->addItem(tr("Robot %1").arg(robot), robot);
+    units_ = new QComboBox(tools);
+    units_->setObjectName(QStringLiteral("eventRobot"));
+    units_->setAccessibleName(tr("Show events of"));
+    units_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    units_->addItem(tr("From all"), QString());
+    for (const QString& about : std::as_const(known_))
+        units_->addItem(about, about);
     auto* least = new QComboBox(tools);
     least->setObjectName(QStringLiteral("eventSeverity"));
     least->setAccessibleName(tr("Show events from this weight on"));
@@ -173,11 +177,11 @@ void EventsPanel::addFilters(QWidget* tools, QHBoxLayout* row) {
     least->addItem(tr("Warnings"), static_cast<int>(Severity::Warning));
     least->addItem(tr("Dangers"), static_cast<int>(Severity::Danger));
     row->addWidget(text);
-    row->addWidget(robots);
+    row->addWidget(units_);
     row->addWidget(least);
     connect(text, &QLineEdit::textChanged, &filter_, &EventFilter::setText);
-    connect(robots, &QComboBox::currentIndexChanged, this,
-            [this, robots] { filter_.setRobot(robots->currentData().toInt()); });
+    connect(units_, &QComboBox::currentIndexChanged, this,
+            [this] { filter_.setAbout(units_->currentData().toString()); });
     connect(least, &QComboBox::currentIndexChanged, this,
             [this, least] { filter_.setLeast(static_cast<Severity>(least->currentData().toInt())); });
 }
@@ -223,6 +227,7 @@ void EventsPanel::take(const std::vector<EngineEvent>& events, quint64 lost) {
         line.text = std::move(words.text);
         line.severity = words.severity;
         line.place = placeOf(event);
+        know(line.about);
         lines.push_back(std::move(line));
     }
     model_.add(std::move(lines));
@@ -237,7 +242,21 @@ void EventsPanel::takeRefusal(const Error& error) {
     line.text = tr("Refused: %1").arg(describe(error).line());
     line.severity = Severity::Warning;
     line.countable = true;
+    know(line.about);
     model_.add({std::move(line)});
+}
+
+void EventsPanel::know(const QString& about) {
+    if (about.isEmpty() || known_.contains(about) || known_.size() >= kMostUnits) return;
+    QCollator order;
+    order.setNumericMode(true);
+    const auto place = std::lower_bound(known_.begin(), known_.end(), about, order);
+    const auto at = static_cast<int>(place - known_.begin());
+    known_.insert(at, about);
+    if (units_ != nullptr) units_->insertItem(at + 1, about, about);
+    const int wanted = view_->fontMetrics().horizontalAdvance(about) + 2 * metrics::kPadding;
+    if (wanted > view_->columnWidth(EventModel::Robot))
+        view_->setColumnWidth(EventModel::Robot, std::min(wanted, kMostAboutWidth));
 }
 
 QString EventsPanel::placeOf(const EngineEvent& event) const {

@@ -3,6 +3,7 @@
 #include "ui/shell/event_model.h"
 #include "ui/shell/panel.h"
 
+class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -33,6 +34,8 @@ class EventsPanel final : public Panel {
     void explainCurrent();
     void copySelection();
     void save();
+    /// Somebody whom events concern, to be chosen from now on.
+    void know(const QString& about);
     void keepPlace(int first, int last);
     void noteScroll(int value);
     void refreshEmpty();
@@ -42,6 +45,8 @@ class EventsPanel final : public Panel {
     QTableView* view_;
     QLabel* empty_;
     QPushButton* follow_ = nullptr;
+    QComboBox* units_ = nullptr;
+    QStringList known_;     ///< In its order.
     bool placing_ = false;  ///< The view is being moved by the panel, not by a person.
 };
 

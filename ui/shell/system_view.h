@@ -72,6 +72,8 @@ class SystemView {
     virtual std::vector<PanelEntry> panels() const = 0;
     virtual std::vector<LinkOffer> offers() const = 0;
     virtual std::vector<UnitChoice> unitChoices() const { return {}; }
+    /// How high the panels of the work are at first.
+    virtual int workHeight() const { return 360; }
 
     /// Whether the snapshot is of this system.
     virtual bool owns(const SystemSnapshot& system) const = 0;

@@ -25,7 +25,6 @@ constexpr const char* kLayoutSetting = "window/docks";
 constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
 constexpr int kAsideWidth = 276;
-constexpr int kWorkHeight = 360;
 constexpr int kLeastEventsHeight = 120;
 /// Of what is left under the work panels.
 constexpr double kBottomShare = 0.33;
@@ -166,11 +165,12 @@ void Workbench::sizePanels() {
         }
         resizeDocks(docks, sizes, orientation);
     };
-    const int left = height() - kWorkHeight;
+    const int workHeight = shownSystem_ == nullptr ? 0 : shownSystem_->workHeight();
+    const int left = height() - workHeight;
     const int bottom = qMax(kLeastEventsHeight, static_cast<int>(left * kBottomShare));
     // A system need not have panels at every place.
     const int aside = docksAt(PanelPlace::Aside).isEmpty() ? 0 : kAsideWidth;
-    const int work = docksAt(PanelPlace::Below).isEmpty() ? height() - bottom : kWorkHeight;
+    const int work = docksAt(PanelPlace::Below).isEmpty() ? height() - bottom : workHeight;
     const int workWidth = width() - kSideWidth - aside;
     size({{PanelPlace::Side, kSideWidth}, {PanelPlace::Work, workWidth}}, Qt::Horizontal);
     size({{PanelPlace::Work, workWidth}, {PanelPlace::Aside, kAsideWidth}}, Qt::Horizontal);

@@ -2,6 +2,8 @@
 
 #include <QSettings>
 
+#include "core/engine/describe_smartdevice.h"
+
 namespace kickstand::ui {
 
 using smartdevice::DeviceState;
@@ -11,11 +13,6 @@ namespace {
 
 constexpr QLatin1String kSimulatedPort("simulated-");
 constexpr int kLongestName = 64;
-
-QString keyOf(const DeviceState& device) {
-    return QStringLiteral("smartdevice/names/") +
-           QString::fromStdString(smartdevice::wire::toText(device.uid));
-}
 
 }  // namespace
 
@@ -56,15 +53,15 @@ QString DeviceChoice::kindOfUnit(int unit) const {
 }
 
 QString ownNameOf(const QSettings& settings, const DeviceState& device) {
-    return settings.value(keyOf(device)).toString();
+    return settings.value(ownNameKey(device.uid)).toString();
 }
 
 void setOwnName(QSettings& settings, const DeviceState& device, const QString& name) {
     const QString kept = name.simplified().left(kLongestName);
     if (kept.isEmpty())
-        settings.remove(keyOf(device));
+        settings.remove(ownNameKey(device.uid));
     else
-        settings.setValue(keyOf(device), kept);
+        settings.setValue(ownNameKey(device.uid), kept);
 }
 
 QString titleOf(const QSettings& settings, const DeviceState& device) {

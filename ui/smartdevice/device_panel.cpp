@@ -220,8 +220,10 @@ void DevicePanel::written(int device, int parameter, const Result<void>& result)
     const auto next = waiting_.extract(parameter);
     if (!result) {
         // What waited is dropped: after a refusal nothing goes out that nobody asks for again.
-        if (result.error().code != Errc::DeviceRefused) showRefusal(parameter, result.error());
-        notice_->setText(describe(result.error()).line());
+        if (result.error().code == Errc::DeviceRefused)
+            notice_->setText(describe(result.error()).line());
+        else
+            showFailure(parameter, result.error());
     } else {
         notice_->clear();
         if (next && next.mapped() && !bench().client().isStopped()) submitWrite(parameter, *next.mapped());
@@ -229,17 +231,17 @@ void DevicePanel::written(int device, int parameter, const Result<void>& result)
     refresh();
 }
 
-void DevicePanel::showRefusal(int parameter, const Error& error) {
-    const QString line = describe(error).line();
-    notice_->setText(line);
+void DevicePanel::showFailure(int parameter, const Error& error) {
+    notice_->setText(describe(error).line());
     if (static_cast<std::size_t>(parameter) < rows_.size())
-        rows_[static_cast<std::size_t>(parameter)]->showRefusal(line);
+        rows_[static_cast<std::size_t>(parameter)]->showFailure(error);
 }
 
 // ---- What is shown.
 
 void DevicePanel::rebuild(const DeviceState& device) {
     shown_ = device.number;
+    uid_ = device.uid;
     spec_ = device.spec;
     rows_.clear();
     waiting_.clear();
@@ -266,7 +268,7 @@ void DevicePanel::rebuild(const DeviceState& device) {
         rows_.push_back(row);
         connect(row, &ParameterRow::writeAsked, this, &DevicePanel::write);
         connect(row, &ParameterRow::refused, this,
-                [this, i](const Error& error) { showRefusal(static_cast<int>(i), error); });
+                [this, i](const Error& error) { showFailure(static_cast<int>(i), error); });
         connect(row, &ParameterRow::updateAsked, this, [this](int parameter, bool on) {
             const DeviceState* one = this->device();
             if (one == nullptr) return;
@@ -292,7 +294,8 @@ void DevicePanel::refresh() {
         setNote({});
         return;
     }
-    if (one->number != shown_ || one->spec != spec_) rebuild(*one);
+    // A number may have been given to another board, also of the same kind.
+    if (one->number != shown_ || one->uid != uid_ || one->spec != spec_) rebuild(*one);
     refreshHead(*one);
     blocked_->setVisible(now->blocked);
     if (now->blocked) waiting_.clear();

@@ -44,7 +44,7 @@ class DevicePanel final : public Panel {
     void write(int parameter, const smartdevice::wire::Value& value);
     void submitWrite(int parameter, const smartdevice::wire::Value& value);
     void written(int device, int parameter, const Result<void>& result);
-    void showRefusal(int parameter, const Error& error);
+    void showFailure(int parameter, const Error& error);
 
     DeviceChoice& choice_;
     QLabel* empty_;
@@ -62,6 +62,7 @@ class DevicePanel final : public Panel {
     QWidget* tablePlace_;
 
     int shown_ = -1;
+    smartdevice::wire::Uid uid_;
     smartdevice::SharedDeviceSpec spec_;
     std::vector<ParameterRow*> rows_;
     /// Writes that are on their way, by parameter, with what a person has asked for since.

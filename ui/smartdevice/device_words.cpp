@@ -75,6 +75,19 @@ QString remedyOf(const PortState& port) {
     return {};
 }
 
+Standing standingOf(const Error& error) {
+    switch (error.code) {
+        case Errc::TimedOut:
+            return {Tone::Warning, Words::tr("sent, no answer")};
+        case Errc::Disconnected:
+            return {Tone::Warning, Words::tr("lost before it answered")};
+        case Errc::StopLatched:
+            return {Tone::Idle, Words::tr("stopped")};
+        default:
+            return {Tone::Danger, Words::tr("not sent")};
+    }
+}
+
 Standing standingOf(const ParameterState& parameter, const ParameterSpec& spec) {
     switch (parameter.verdict) {
         case WriteVerdict::None:
@@ -107,6 +120,7 @@ QString updatesText(const DeviceState& device) {
     const int wanted = std::popcount(device.wanted);
     if (device.wantedDelay_ms == 0) return Words::tr("no updates are asked for");
     if (device.presence == Presence::Lost) return Words::tr("asked for again when it is back");
+    if (device.ungranted) return Words::tr("asked for many times, not granted");
     if (device.delay_ms == 0) return Words::tr("asked for, not granted yet");
     return Words::tr("granted: %1 of %2 parameters, every %3 ms")
         .arg(std::popcount(device.subscribed))

@@ -22,6 +22,8 @@ Standing standingOf(const smartdevice::DeviceState& device, TimePoint now);
 Standing standingOf(const smartdevice::PortState& port);
 /// What is to be done about a port at which there is no board; empty where nothing is.
 QString remedyOf(const smartdevice::PortState& port);
+/// What became of a write that ended with an error before it was judged.
+Standing standingOf(const Error& error);
 /// What became of the last write of a parameter.
 Standing standingOf(const smartdevice::ParameterState& parameter, const smartdevice::ParameterSpec& spec);
 

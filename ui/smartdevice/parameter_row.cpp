@@ -2,9 +2,10 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 
-#include "ui/smartdevice/device_words.h"
+#include "core/engine/describe.h"
 #include "ui/widgets/state_label.h"
 #include "ui/widgets/tokens.h"
 
@@ -30,6 +31,13 @@ QString hintOf(const ParameterSpec& spec) {
     return hint;
 }
 
+QLabel* mutedLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setEnabled(false);
+    return label;
+}
+
 }  // namespace
 
 ParameterRow::ParameterRow(const ParameterSpec& spec, int number, QGridLayout& grid, QWidget* table)
@@ -42,8 +50,6 @@ ParameterRow::ParameterRow(const ParameterSpec& spec, int number, QGridLayout& g
       verdict_(new StateLabel(table)) {
     const int line = number + 1;
     const QString text = name_->text();
-    name_->setToolTip(hintOf(spec_));
-    name_->setTextFormat(Qt::PlainText);
     update_->setObjectName(QStringLiteral("update%1").arg(number));
     update_->setAccessibleName(tr("%1 is sent by itself").arg(text));
     update_->setToolTip(tr("Whether the board sends %1 again and again").arg(text));
@@ -51,11 +57,28 @@ ParameterRow::ParameterRow(const ParameterSpec& spec, int number, QGridLayout& g
     verdict_->setObjectName(QStringLiteral("verdict%1").arg(number));
     grid.setRowMinimumHeight(line, kRowHeight);
     grid.addWidget(update_, line, Update, Qt::AlignCenter);
-    grid.addWidget(name_, line, Name);
+    makeName(grid, table);
     makeValue(grid, table);
     makeEditor(grid, table);
     grid.addWidget(verdict_, line, Verdict);
     connect(update_, &QCheckBox::clicked, this, [this](bool on) { emit updateAsked(number_, on); });
+}
+
+void ParameterRow::makeName(QGridLayout& grid, QWidget* table) {
+    name_->setToolTip(hintOf(spec_));
+    name_->setTextFormat(Qt::PlainText);
+    if (spec_.readable()) {
+        grid.addWidget(name_, number_ + 1, Name);
+        return;
+    }
+    auto* mark = mutedLabel(tr("write only"), table);
+    mark->setObjectName(QStringLiteral("mark%1").arg(number_));
+    auto* both = new QHBoxLayout;
+    both->setSpacing(metrics::kGap);
+    both->addWidget(name_);
+    both->addWidget(mark);
+    both->addStretch();
+    grid.addLayout(both, number_ + 1, Name);
 }
 
 void ParameterRow::makeValue(QGridLayout& grid, QWidget* table) {
@@ -69,24 +92,22 @@ void ParameterRow::makeValue(QGridLayout& grid, QWidget* table) {
 
 void ParameterRow::makeEditor(QGridLayout& grid, QWidget* table) {
     if (!spec_.writable()) {
-        auto* only = new QLabel(tr("read only"), table);
-        only->setForegroundRole(QPalette::PlaceholderText);
-        only->setEnabled(false);
-        grid.addWidget(only, number_ + 1, Editor);
+        grid.addWidget(mutedLabel(tr("read only"), table), number_ + 1, Editor);
         return;
     }
     editor_ = makeParameterEditor(spec_, name_->text(), table);
     editor_->setObjectName(QStringLiteral("editor%1").arg(number_));
     grid.addWidget(editor_, number_ + 1, Editor);
     connect(editor_, &ParameterEditor::asked, this, [this](const wire::Value& value) {
-        refusal_.clear();
+        failure_.reset();
         emit writeAsked(number_, value);
     });
     connect(editor_, &ParameterEditor::refused, this, &ParameterRow::refused);
 }
 
-void ParameterRow::showRefusal(const QString& why) {
-    refusal_ = why;
+void ParameterRow::showFailure(const Error& error) {
+    failure_ = standingOf(error);
+    verdict_->setToolTip(describe(error).line());
 }
 
 void ParameterRow::refresh(const DeviceState& device, TimePoint now, bool blocked, bool waiting) {
@@ -99,7 +120,7 @@ void ParameterRow::refresh(const DeviceState& device, TimePoint now, bool blocke
     if (!spec_.readable()) {
         old = true;
         text = state.written ? tr("set to %1").arg(withUnit(valueText(*state.written, spec_), spec_))
-                             : tr("write only");
+                             : QStringLiteral("\u2014");
     } else if (!state.value) {
         old = true;
         text = QStringLiteral("\u2014");
@@ -110,12 +131,12 @@ void ParameterRow::refresh(const DeviceState& device, TimePoint now, bool blocke
     }
     if (value_->text() != text) value_->setText(text);
     value_->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
-    const Standing standing = !refusal_.isEmpty() ? Standing{Tone::Danger, tr("not sent")}
-                              : waiting           ? Standing{Tone::Busy, tr("pending")}
-                                                  : standingOf(state, spec_);
+    const Standing standing = failure_  ? *failure_
+                              : waiting ? Standing{Tone::Busy, tr("pending")}
+                                        : standingOf(state, spec_);
     verdict_->setVisible(!standing.text.isEmpty());
     verdict_->setState(standing.tone, standing.text);
-    verdict_->setToolTip(refusal_);
+    if (!failure_) verdict_->setToolTip({});
     if (editor_ == nullptr) return;
     editor_->setEnabled(!blocked && device.presence != Presence::Lost && !device.learning);
     const bool own = state.verdict == WriteVerdict::Pending || !spec_.readable();

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/smartdevice/snapshot.h"
+#include "ui/smartdevice/device_words.h"
 #include "ui/smartdevice/parameter_editor.h"
 
 class QCheckBox;
@@ -24,8 +26,8 @@ class ParameterRow final : public QObject {
 
     /// `waiting`: a write that the engine has not answered is on its way.
     void refresh(const smartdevice::DeviceState& device, TimePoint now, bool blocked, bool waiting);
-    /// Says that what was asked for was not sent, and why.
-    void showRefusal(const QString& why);
+    /// Says what became of a write that was not judged, and why; until the next one.
+    void showFailure(const Error& error);
 
   signals:
     void writeAsked(int parameter, const kickstand::smartdevice::wire::Value& value);
@@ -33,6 +35,7 @@ class ParameterRow final : public QObject {
     void refused(const kickstand::Error& error);
 
   private:
+    void makeName(QGridLayout& grid, QWidget* table);
     void makeValue(QGridLayout& grid, QWidget* table);
     void makeEditor(QGridLayout& grid, QWidget* table);
 
@@ -43,7 +46,7 @@ class ParameterRow final : public QObject {
     QLabel* value_;
     ParameterEditor* editor_ = nullptr;
     StateLabel* verdict_;
-    QString refusal_;
+    std::optional<Standing> failure_;
 };
 
 }  // namespace kickstand::ui

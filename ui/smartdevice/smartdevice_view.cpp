@@ -5,10 +5,12 @@
 #include <map>
 
 #include "ui/smartdevice/cards_panel.h"
+#include "ui/smartdevice/device_card.h"
 #include "ui/smartdevice/device_choice.h"
 #include "ui/smartdevice/device_panel.h"
 #include "ui/smartdevice/devices_panel.h"
 #include "ui/smartdevice/plots_panel.h"
+#include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
 
@@ -54,6 +56,12 @@ std::vector<PanelEntry> SmartdeviceView::panels() const {
         {QStringLiteral("boards-plots"), Words::tr("Plots"), help("plots"), PanelPlace::Below,
          [&choice](Bench& bench) -> Panel* { return new PlotsPanel(bench, choice); }},
     };
+}
+
+int SmartdeviceView::workHeight() const {
+    // Two rows of cards under the panel's tab and title.
+    constexpr int kFrame = 96;
+    return 2 * (DeviceCard::kHeight + metrics::kGap) + metrics::kGap + kFrame;
 }
 
 std::vector<LinkOffer> SmartdeviceView::offers() const {

@@ -19,6 +19,7 @@ class SmartdeviceView final : public SystemView {
     QString name() const override;
     std::vector<PanelEntry> panels() const override;
     std::vector<LinkOffer> offers() const override;
+    int workHeight() const override;
     bool owns(const SystemSnapshot& system) const override;
     bool isMoving(const SystemSnapshot& system) const override;
     bool isActive(const SystemSnapshot& system) const override;

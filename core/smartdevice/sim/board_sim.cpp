@@ -11,8 +11,6 @@ using std::chrono::milliseconds;
 constexpr Duration kBeatEvery = milliseconds(250);
 /// So many heartbeat requests without an answer, and a PolarBear disables itself.
 constexpr int kMostUnanswered = 4;
-/// A board sends a sample in several messages when it is longer than this.
-constexpr std::size_t kLongestData = 40;
 
 constexpr wire::ParameterMask bit(std::size_t parameter) {
     return static_cast<wire::ParameterMask>(1U << parameter);
@@ -57,8 +55,9 @@ void BoardSim::lineOpened(Baud /*baud*/) {
 }
 
 void BoardSim::lineClosed() {
+    // The board keeps its power: it goes on, and finds that nobody answers its heartbeat requests.
     lineOpen_ = false;
-    cancelTimers();
+    scheduler_.cancel(std::exchange(sampleTimer_, 0));
     subscription_ = {};
 }
 
@@ -77,7 +76,10 @@ void BoardSim::hostSent(ByteView bytes) {
 void BoardSim::plug(bool in) {
     if (attached_ == in) return;
     attached_ = in;
-    if (!in) lineClosed();
+    if (!in) {
+        lineOpen_ = false;
+        reset();
+    }
     if (listener_ != nullptr) listener_->attachedChanged(in);
 }
 
@@ -90,9 +92,8 @@ void BoardSim::reset() {
     unanswered_ = 0;
     body_->reset();
     ++report_.resets;
-    if (!lineOpen_) return;
-    booting_ = true;
-    arm(bootTimer_, boot_, &BoardSim::booted);
+    booting_ = lineOpen_;
+    if (booting_) arm(bootTimer_, boot_, &BoardSim::booted);
 }
 
 void BoardSim::booted() {
@@ -109,7 +110,6 @@ void BoardSim::advance() {
 
 void BoardSim::take(const wire::Message& message) {
     advance();
-    unanswered_ = 0;
     if (std::holds_alternative<wire::Ping>(message)) {
         answerSubscription();
     } else if (const auto* request = std::get_if<wire::SubscriptionRequest>(&message)) {
@@ -123,6 +123,8 @@ void BoardSim::take(const wire::Message& message) {
         disableSelf();
     } else if (const auto* beat = std::get_if<wire::HeartbeatRequest>(&message)) {
         send(wire::HeartbeatResponse{beat->id});
+    } else if (std::holds_alternative<wire::HeartbeatResponse>(message)) {
+        unanswered_ = 0;
     }
 }
 
@@ -144,6 +146,7 @@ void BoardSim::answerSubscription() {
 }
 
 void BoardSim::subscribe(const wire::SubscriptionRequest& request) {
+    if (faults_.deafToSubscriptions) return;
     subscription_ = request;
     subscription_.parameters = static_cast<wire::ParameterMask>(request.parameters & readable());
     scheduler_.cancel(std::exchange(sampleTimer_, 0));
@@ -192,7 +195,8 @@ void BoardSim::sendData(wire::ParameterMask mask) {
     for (std::size_t i = 0; i < body_->parameters().size(); ++i) {
         if ((mask & bit(i)) == 0) continue;
         const wire::Value value = body_->read(static_cast<int>(i));
-        if (message.values.size() + wire::bytesOf(value).size() > kLongestData) {
+        const bool full = message.values.size() + wire::bytesOf(value).size() > longestData_;
+        if (full && message.parameters != 0) {
             send(message);
             message = {};
         }

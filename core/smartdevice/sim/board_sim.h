@@ -14,12 +14,16 @@ namespace kickstand::smartdevice::sim {
 
 /// How a board sends what it sends.
 struct BoardFaults {
-    bool silent = false;  ///< Says nothing.
-    double checksum = 0;  ///< Probability, 0-1, that a message's checksum is wrong.
-    double truncate = 0;  ///< Probability, 0-1, that a frame breaks off.
-    double refuse = 0;    ///< Probability, 0-1, that it leaves a written value.
-    double noise = 0;     ///< Probability, 0-1, that a bit of a frame is turned, wherever it is.
+    bool silent = false;               ///< Says nothing.
+    bool deafToSubscriptions = false;  ///< Loses what it is asked for updates.
+    double checksum = 0;               ///< Probability, 0-1, that a message's checksum is wrong.
+    double truncate = 0;               ///< Probability, 0-1, that a frame breaks off.
+    double refuse = 0;                 ///< Probability, 0-1, that it leaves a written value.
+    double noise = 0;                  ///< Probability, 0-1, that a bit of a frame is turned, wherever it is.
 };
+
+/// As many bytes of values as a board usually puts into one message.
+inline constexpr std::size_t kUsualLongestData = 40;
 
 /// What a test may want to know about a board.
 struct BoardReport {
@@ -41,6 +45,9 @@ class BoardSim final : public ByteDeviceModel {
     /// `scheduler` outlives it.
     BoardSim(Scheduler& scheduler, const wire::Uid& uid, std::unique_ptr<Body> body, Duration boot,
              std::uint32_t seed);
+    /// Sends Data with more bytes of values than this in several messages (protocol 3); at least a value
+    /// each.
+    void setLongestData(std::size_t bytes) { longestData_ = bytes; }
     ~BoardSim() override;
     BoardSim(const BoardSim&) = delete;
     BoardSim& operator=(const BoardSim&) = delete;
@@ -93,6 +100,7 @@ class BoardSim final : public ByteDeviceModel {
     bool lineOpen_ = false;
     bool booting_ = false;
     bool disabled_ = false;
+    std::size_t longestData_ = kUsualLongestData;
     int unanswered_ = 0;  ///< Heartbeat requests in a row.
     std::uint8_t nextBeat_ = 0;
     TimePoint advancedTo_;

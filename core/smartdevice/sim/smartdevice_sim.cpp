@@ -9,7 +9,6 @@ namespace kickstand::smartdevice::sim {
 namespace {
 
 constexpr std::int64_t kMostBoards = 32;
-constexpr std::int64_t kLongestBoot_ms = 10'000;
 constexpr std::uint8_t kSeason = 8;
 constexpr char kDefaultDevices[] = "PolarBear,BatteryBuzzer,LimitSwitch,LineFollower,ServoControl,TeamFlag";
 
@@ -66,6 +65,13 @@ wire::Uid uidOf(const BodyKind& kind, wire::Dialect dialect, int number) {
     return uid;
 }
 
+struct NumberOption {
+    std::string_view name;
+    double highest;
+};
+constexpr std::array kNumbers{NumberOption{"boot_ms", 10'000}, NumberOption{"noise", 1},
+                              NumberOption{"seed", 4294967295.0}, NumberOption{"data_bytes", 253}};
+
 struct FaultAction {
     const char* name;
     double BoardFaults::*probability;
@@ -92,13 +98,14 @@ Result<SmartDeviceSimOptions> parseSimOptions(const LinkUri& uri) {
     options.boards = std::move(*boards);
     for (const auto& [name, text] : uri.options) {
         if (name == "devices") continue;
-        const bool known = name == "boot_ms" || name == "noise" || name == "seed";
-        if (!known) return fail(Errc::UnknownName, name, "devices, boot_ms, noise, seed");
-        const double highest = name == "noise" ? 1 : name == "boot_ms" ? kLongestBoot_ms : 4294967295.0;
-        const auto value = readNumber(name, text, highest);
+        const auto* const known = std::ranges::find(kNumbers, name, &NumberOption::name);
+        if (known == kNumbers.end())
+            return fail(Errc::UnknownName, name, "devices, boot_ms, noise, seed, data_bytes");
+        const auto value = readNumber(name, text, known->highest);
         if (!value) return fail(value.error());
         if (name == "noise") options.noise = *value;
         if (name == "boot_ms") options.boot = fromSeconds(*value / 1000);
+        if (name == "data_bytes") options.longestData = static_cast<std::size_t>(*value);
         if (name == "seed") options.seed = static_cast<std::uint32_t>(*value);
     }
     return options;
@@ -111,6 +118,7 @@ SmartDeviceSim::SmartDeviceSim(Scheduler& scheduler, const SmartDeviceSimOptions
         boards_.push_back(std::make_unique<BoardSim>(scheduler, uidOf(kind, board.dialect, number),
                                                      kind.make(), options.boot,
                                                      options.seed + static_cast<std::uint32_t>(number)));
+        boards_.back()->setLongestData(options.longestData);
         kinds_.push_back(board.kind);
     }
 }

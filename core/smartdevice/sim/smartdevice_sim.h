@@ -23,12 +23,13 @@ struct SmartDeviceSimOptions {
     std::vector<BoardOptions> boards;
     Duration boot = std::chrono::milliseconds(600);  ///< From the opening of a line to its first answer.
     double noise = 0;                                ///< Probability, 0-1, that a byte on a line is damaged.
+    std::size_t longestData = kUsualLongestData;     ///< Longer Data comes in several messages; bytes.
     std::uint32_t seed = 1;
 };
 
 /// The options of a `sim:smartdevice` URI: `devices=PolarBear,Encoder.hibike`, `boot_ms=600`, `noise=0.001`,
-/// `seed=1`; without `devices` six boards of different kinds. Errors: UnknownName, OutOfRange, BadArgument.
-/// Any thread.
+/// `seed=1`, `data_bytes=40`; without `devices` six boards of different kinds. Errors: UnknownName,
+/// OutOfRange, BadArgument. Any thread.
 Result<SmartDeviceSimOptions> parseSimOptions(const LinkUri& uri);
 
 /// The names of all kinds that can be simulated, for an error that says what there is. Any thread.

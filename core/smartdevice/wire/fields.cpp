@@ -5,14 +5,17 @@
 namespace kickstand::smartdevice::wire {
 namespace {
 
-constexpr FieldSpec kParameters{"parameters", FieldKind::Mask, {2, 2}, "", "bit n stands for parameter n"};
+constexpr FieldSpec kParameters{"parameters",    FieldKind::Mask, {2, 2}, "", "bit n stands for parameter n",
+                                {0xFFFF, 0xFFFF}};
 constexpr FieldSpec kDelay{
-    "delay_ms", FieldKind::Number, {1, 2}, "ms", "time from one update to the next; 0 for none"};
+    "delay_ms",    FieldKind::Number, {1, 2}, "ms", "time from one update to the next; 0 for none",
+    {0xFF, 0xFFFF}};
 constexpr FieldSpec kUid{"uid", FieldKind::Uid, {kUidSize, kUidSize}, "", "kind of board, year, random part"};
 constexpr FieldSpec kValues{
     "values", FieldKind::Values, {0, 0}, "", "the values of the set bits, ascending, little-endian"};
-constexpr FieldSpec kBeat{"heartbeat", FieldKind::Number, {1, 1}, "", "tells outstanding requests apart"};
-constexpr FieldSpec kCode{"code", FieldKind::Code, {1, 1}, "", "what went wrong on the device"};
+constexpr FieldSpec kBeat{"heartbeat", FieldKind::Number, {1, 1}, "", "tells outstanding requests apart",
+                          {0xFF, 0xFF}};
+constexpr FieldSpec kCode{"code", FieldKind::Code, {1, 1}, "", "what went wrong on the device", {0xFF, 0xFF}};
 
 constexpr std::array kSubscribe{kParameters, kDelay};
 constexpr std::array kSubscribed{kParameters, kDelay, kUid};

@@ -25,6 +25,7 @@ struct FieldSpec {
     std::array<std::uint8_t, 2> bytes{};  ///< In each Dialect; 0 for Values, which take what is left.
     const char* unit = "";
     const char* description = "";
+    std::array<std::int64_t, 2> highest{};  ///< In each Dialect, from 0 on; 0 for what is no number.
 };
 
 /// Who sends a message.

@@ -127,7 +127,7 @@ Result<Bytes> bytesOfField(const FieldSpec& spec, Dialect dialect, const std::st
     }
     const auto number = spec.kind == FieldKind::Code ? readCode(text) : readNumber(text);
     if (!number) return wrong();
-    const std::int64_t highest = (std::int64_t{1} << 8 * width) - 1;
+    const std::int64_t highest = spec.highest.at(static_cast<std::size_t>(dialect));
     if (*number < 0 || *number > highest)
         return fail({.code = Errc::OutOfRange,
                      .subject = spec.name,
