@@ -1,6 +1,8 @@
 #include "app/kickstandctl/cmd_smartdevice_subscribe.h"
 
 #include <QJsonArray>
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "app/kickstandctl/device_access.h"
@@ -11,21 +13,26 @@
 #include "app/kickstandctl/text.h"
 #include "app/kickstandctl/values.h"
 #include "app/kickstandctl/words.h"
+#include "core/engine/describe_smartdevice.h"
 
 namespace kickstand::ctl {
 namespace {
 
 using smartdevice::DeviceState;
+using smartdevice::EventKind;
 using smartdevice::wire::ParameterMask;
 
 constexpr Duration kEndless = std::chrono::hours(24 * 365);
 constexpr int kUsualDelay_ms = 40;
+/// Why no updates come, and that they will.
+constexpr std::array kToldOfDevice{EventKind::DeviceQuiet, EventKind::DeviceLost, EventKind::DeviceBack,
+                                   EventKind::DeviceReset, EventKind::Ungranted};
 
 QString textOf(const std::string& held) {
     return QString::fromStdString(held);
 }
 
-/// Tells each Data message of one device, and how many are missing where some are.
+/// Tells each Data message of one device, how many are missing where some are, and why none come.
 class Updates {
   public:
     Updates(const Context& context, SessionRunner& runner, int number, ParameterMask mask)
@@ -59,6 +66,10 @@ class Updates {
 
     void tell() {
         for (const smartdevice::Event& event : std::exchange(waiting_, {})) {
+            if (event.kind != EventKind::Update) {
+                tellOfDevice(event);
+                continue;
+            }
             const std::int64_t missing = next_ < 0 ? 0 : event.previous - next_;
             next_ = event.previous + 1;
             if (missing > 0) tellLost(missing, event.time);
@@ -70,8 +81,10 @@ class Updates {
     void take(const EngineEvent& event) {
         const auto* system = std::get_if<SystemEvent>(&event.body);
         const auto* own = system == nullptr ? nullptr : std::get_if<smartdevice::Event>(system);
-        if (own == nullptr || own->kind != smartdevice::EventKind::Update || own->robot != number_) return;
-        waiting_.push_back(*own);
+        if (own == nullptr || own->robot != number_) return;
+        if (own->kind == EventKind::Update ||
+            std::ranges::find(kToldOfDevice, own->kind) != kToldOfDevice.end())
+            waiting_.push_back(*own);
     }
 
     QJsonObject about(const QString& type, TimePoint time) const {
@@ -80,6 +93,16 @@ class Updates {
                 {QStringLiteral("time"), isoTime(runner_.engine(), time)},
                 {QStringLiteral("device"), textOf(device.spec->name)},
                 {QStringLiteral("uid"), textOf(smartdevice::wire::toText(device.uid))}};
+    }
+
+    void tellOfDevice(const smartdevice::Event& event) {
+        const QString text = describeSmartDeviceEvent(event).text;
+        const std::string_view kind = smartdevice::name(event.kind);
+        QJsonObject json =
+            about(QString::fromLatin1(kind.data(), static_cast<qsizetype>(kind.size())), event.time);
+        json[QStringLiteral("text")] = text;
+        context_.output.value(json);
+        context_.output.line(QStringLiteral("%1  %2").arg(clockText(runner_.engine(), event.time), text));
     }
 
     void tellLost(std::int64_t count, TimePoint time) {

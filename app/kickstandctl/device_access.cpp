@@ -45,18 +45,17 @@ QString namesOf(const smartdevice::Snapshot& state) {
     return names.isEmpty() ? Words::tr("none") : names.join(QStringLiteral(", "));
 }
 
-/// Why nothing is called so: the port of the link is missing, or a port that was named, or all there are,
-/// cannot be used.
-std::optional<Error> culprit(const SessionRunner& runner, const std::string& name) {
-    const smartdevice::Snapshot& state = boardsOf(runner);
+/// Whether the link names a port that is not there.
+bool isPortMissing(const SessionRunner& runner) {
     const std::string& target = runner.uri().target;
-    const auto hasName = [](const std::string& port) {
-        return [&port](const PortState& one) { return one.name == port; };
-    };
-    const bool missing = runner.uri().scheme == "serial" && !target.empty() &&
-                         std::ranges::none_of(state.ports, hasName(target));
-    if (missing) return Error{.code = Errc::NoDevice, .port = target};
-    const auto named = std::ranges::find_if(state.ports, hasName(name));
+    return runner.uri().scheme == "serial" && !target.empty() &&
+           std::ranges::find(boardsOf(runner).ports, target, &PortState::name) ==
+               boardsOf(runner).ports.end();
+}
+
+/// Why nothing is called so: a port that was named, or all there are, cannot be used.
+std::optional<Error> culprit(const smartdevice::Snapshot& state, const std::string& name) {
+    const auto named = std::ranges::find(state.ports, name, &PortState::name);
     if (named != state.ports.end()) return named->error;
     if (!state.devices.empty()) return std::nullopt;
     const auto any =
@@ -96,6 +95,7 @@ Outcome connectBoards(const Context& context, SessionRunner& runner) {
         return badUsage(
             Words::tr("This link does not lead to smart devices."),
             Words::tr("Name serial ports, as in --link serial:/dev/ttyACM0, or sim:smartdevice."));
+    if (isPortMissing(runner)) return failed({.code = Errc::NoDevice, .port = runner.uri().target});
     if (const auto& error = boardsOf(runner).catalogueError) {
         Failure failure = failed(*error).value();
         failure.text = describeCatalogueError(*error);
@@ -129,7 +129,7 @@ Expected<int> awaitDevice(SessionRunner& runner, const std::string& name) {
     }
     if (numbers.size() == 1) return numbers.front();
     if (numbers.empty()) {
-        if (const auto error = culprit(runner, name)) return failed(*error);
+        if (const auto error = culprit(state, name)) return failed(*error);
         return noDevice(state, name);
     }
     Failure failure = failed({.code = Errc::SeveralDevices, .subject = name}).value();

@@ -13,8 +13,8 @@ namespace kickstand::ctl {
 const smartdevice::Snapshot& boardsOf(const SessionRunner& runner);
 const smartdevice::DeviceState& deviceOf(const SessionRunner& runner, int number);
 
-/// Connects; without a link to every serial port on USB. A catalogue of the user that cannot be read is
-/// complained about, and left out.
+/// Connects; without a link to every serial port on USB. Fails where the link names a port that is not there.
+/// A catalogue of the user that cannot be read is complained about, and left out.
 Outcome connectBoards(const Context& context, SessionRunner& runner);
 /// Waits until every port has answered, or it is known that it does not.
 Outcome settleBoards(SessionRunner& runner);

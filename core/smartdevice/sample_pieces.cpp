@@ -30,7 +30,10 @@ void SamplePieces::learn(ParameterMask mask) {
     // whole.
     if ((join(run_) & mask) != 0) run_.clear();
     run_.push_back(mask);
-    if (join(run_) == subscribed_) pieces_ = std::exchange(run_, {});
+    if (join(run_) != subscribed_) return;
+    // This is the last piece of the first sample that is cut so.
+    if (!std::ranges::is_permutation(run_, pieces_)) seen_ = static_cast<ParameterMask>(subscribed_ & ~mask);
+    pieces_ = std::exchange(run_, {});
 }
 
 SamplePieces::Part SamplePieces::take(ParameterMask mask) {

@@ -1159,6 +1159,22 @@
         <source>stopped and disabled: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The catalogue of your own boards is left out: %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the file right, or take it away; what it has to be stands in the help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grants no updates, though it was asked %1 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sent an update</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Doctor</name>
@@ -1440,6 +1456,10 @@
     </message>
     <message>
         <source>Answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catalogue</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4748,6 +4768,26 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>off</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>sent, no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost before it answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asked for many times, not granted</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SmartdeviceView</name>
@@ -6943,11 +6983,11 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot</source>
+        <source>What happened</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What happened</source>
+        <source>Source</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6979,18 +7019,6 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>Show events that contain</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show events of robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All robots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robot %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7058,6 +7086,14 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>robot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show events of the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sources</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8328,10 +8364,6 @@ STOP writes zero to it.</source>
     </message>
     <message>
         <source>, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not sent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10729,6 +10761,10 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <source>Add --pty PATH.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>values of more bytes than this come in several messages; 40 without it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstandctl</name>
@@ -12009,10 +12045,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name one by its kind, UID or port; there are: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 has no parameter “%2”.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12074,10 +12106,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>from one update to the next; 40 without it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>DEVICE is its kind (PolarBear) where there is one of it, its UID, or its port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12238,6 +12266,30 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>plan %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DEVICE is its kind (PolarBear) where there is one of it, the name it was given in the window, its UID, or its port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 grants updates every %2 ms (asked: %3 ms) of %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 updates came too fast to be printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name one by its kind, its own name, its UID or its port; there are: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name one by its own name, its UID or its port; there are: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

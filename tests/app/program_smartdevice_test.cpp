@@ -192,8 +192,13 @@ TEST(ProgramSmartDevice, WhatMakesNoSenseIsRefusedWithWhatThereIs) {
                   "-1 to 1");
     expectRefused(onBoards({"smartdevice", "write", "PolarBear", "duty_cycle"}), 2, "NAME=VALUE");
     expectRefused(run({"--link", "sim:smartdevice?devices=Toaster", "smartdevice", "list"}), 2, "PolarBear");
-    expectRefused(run({"--link", "serial:/no/such/port", "smartdevice", "read", "PolarBear"}), 1,
-                  "no serial port /no/such/port");
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"list"}, {"read", "PolarBear"}, {"ping", "PolarBear"}}) {
+        std::vector<std::string> arguments{"--link", "serial:/no/such/port?protocol=smartdevice",
+                                           "smartdevice"};
+        arguments.insert(arguments.end(), command.begin(), command.end());
+        expectRefused(run(arguments), 1, "no serial port /no/such/port");
+    }
 }
 
 TEST(ProgramSmartDevice, FramesAreEncodedAndDecoded) {

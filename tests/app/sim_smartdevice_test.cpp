@@ -103,6 +103,18 @@ TEST_F(SimSmartDevice, APolarBearWhosePortIsClosedDisablesItself) {
     EXPECT_EQ(board()[QStringLiteral("values")][0].toDouble(), 0);
 }
 
+TEST_F(SimSmartDevice, WhySubscribedUpdatesStayAwayIsTold) {
+    Program watching({"--link", "serial:" + port_.string() + "?protocol=smartdevice", "--json", "smartdevice",
+                      "subscribe", "PolarBear", "enc_pos"});
+    ASSERT_TRUE(watching.waitFor("\"update\""));
+    ASSERT_EQ(ctl({"unplug", "0"}).exitCode, 0);
+    ASSERT_TRUE(watching.waitFor("\"device-lost\""));
+    ASSERT_EQ(ctl({"replug", "0"}).exitCode, 0);
+    ASSERT_TRUE(watching.waitFor("\"device-back\""));
+    watching.signal(SIGINT);
+    EXPECT_EQ(watching.end().exitCode, 0);
+}
+
 TEST_F(SimSmartDevice, ABoardThatIsPulledOutIsSaidToBeGone) {
     EXPECT_EQ(ctl({"unplug", "0"}).exitCode, 0);
     EXPECT_FALSE(fs::exists(port_));

@@ -106,7 +106,7 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
         case Time:
             return tr("Time");
         case Robot:
-            return tr("Whom");
+            return tr("Source");
         default:
             return tr("What happened");
     }

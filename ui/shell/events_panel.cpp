@@ -165,9 +165,9 @@ void EventsPanel::addFilters(QWidget* tools, QHBoxLayout* row) {
     text->setFixedWidth(150);
     units_ = new QComboBox(tools);
     units_->setObjectName(QStringLiteral("eventRobot"));
-    units_->setAccessibleName(tr("Show events of"));
+    units_->setAccessibleName(tr("Show events of the source"));
     units_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    units_->addItem(tr("From all"), QString());
+    units_->addItem(tr("All sources"), QString());
     for (const QString& about : std::as_const(known_))
         units_->addItem(about, about);
     auto* least = new QComboBox(tools);

@@ -47,6 +47,18 @@ TEST(NamedFrame, PutsTheDocumentsVectorsTogether) {
               "04 ff 01 fe 01 00");
 }
 
+TEST(Fields, HaveTheRangeThatTheirBytesHold) {
+    for (const MessageSpec& message : messages()) {
+        for (const FieldSpec& field : message.fields) {
+            for (const std::size_t dialect : {0U, 1U}) {
+                const bool number = field.kind != FieldKind::Uid && field.kind != FieldKind::Values;
+                EXPECT_EQ(field.highest.at(dialect), number ? (1LL << 8 * field.bytes.at(dialect)) - 1 : 0)
+                    << message.name << ' ' << field.name;
+            }
+        }
+    }
+}
+
 TEST(NamedFrame, TakesFramesApart) {
     EXPECT_EQ(decoded("smartdevice.frame", "04 11 03 05 03 28 3f 00"),
               (std::map<std::string, std::string>{{"message", "17 subscription-request"},
