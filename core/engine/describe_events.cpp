@@ -274,7 +274,7 @@ EventText textOf(const EngineNote& note) {
         case EngineNote::Kind::Stopped:
             return danger(EventWords::tr("STOP: %1").arg(describe(note.reason)));
         case EngineNote::Kind::Rearmed:
-            return warning(EventWords::tr("re-armed: robots can move again"));
+            return warning(EventWords::tr("re-armed: what was stopped can move again"));
         case EngineNote::Kind::AnswersLost:
             return warning(
                 EventWords::tr("answers to commands that nobody fetched in time and that are lost: %1")

@@ -2397,10 +2397,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>re-armed: robots can move again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>answers to commands that nobody fetched in time and that are lost: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2414,6 +2410,10 @@
     </message>
     <message>
         <source>robot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>re-armed: what was stopped can move again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -163,6 +163,17 @@ TEST_F(BoardCardsTest, EveryBoardHasACardThatLeadsToItsParameters) {
     ASSERT_TRUE(waitFor([&] { return window->findChildren<ui::DeviceCard*>().isEmpty(); }));
 }
 
+TEST_F(BoardCardsTest, SixBoardsAreSeenWholeInTheUsualWindow) {
+    size = {1440, 900};
+    connectTo("PolarBear,BatteryBuzzer,LimitSwitch,LineFollower,ServoControl,TeamFlag");
+    ASSERT_TRUE(waitFor([&] {
+        const auto cards = window->findChildren<ui::DeviceCard*>();
+        return cards.size() == 6 && std::ranges::all_of(cards, [](const ui::DeviceCard* card) {
+                   return card->visibleRegion().boundingRect() == card->rect();
+               });
+    }));
+}
+
 TEST_F(BoardCardsTest, AnyParametersOfAnyBoardsArePlottedTogether) {
     connectTo("PolarBear,BatteryBuzzer");
     auto* tree = find<ui::PlotChoice>(QStringLiteral("boardPlotTree"));

@@ -144,7 +144,7 @@ void BoardWindow::open(std::optional<Errc> obstacle) {
     systems_.add(std::make_unique<ui::SmartdeviceView>());
     bench = std::make_unique<ui::Bench>(*client, systems_, *settings);
     window = std::make_unique<ui::MainWindow>(*bench, *theme_);
-    window->resize(1280, 800);
+    window->resize(size);
     window->show();
     window->workbench().makePanels();
 }

@@ -84,6 +84,7 @@ class BoardWindow : public testing::Test {
     std::unique_ptr<ui::EngineClient> client;
     std::unique_ptr<ui::Bench> bench;
     std::unique_ptr<ui::MainWindow> window;
+    QSize size{1280, 800};  ///< The window's; before one is opened.
     QTemporaryDir folder;
     std::unique_ptr<QSettings> settings =
         std::make_unique<QSettings>(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);

@@ -26,6 +26,8 @@ constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
 constexpr int kAsideWidth = 276;
 constexpr int kLeastEventsHeight = 120;
+/// A low window shows something of all panels.
+constexpr double kMostWorkShare = 0.55;
 /// Of what is left under the work panels.
 constexpr double kBottomShare = 0.33;
 
@@ -165,7 +167,8 @@ void Workbench::sizePanels() {
         }
         resizeDocks(docks, sizes, orientation);
     };
-    const int workHeight = shownSystem_ == nullptr ? 0 : shownSystem_->workHeight();
+    const int most = static_cast<int>(height() * kMostWorkShare);
+    const int workHeight = shownSystem_ == nullptr ? 0 : qMin(most, shownSystem_->workHeight());
     const int left = height() - workHeight;
     const int bottom = qMax(kLeastEventsHeight, static_cast<int>(left * kBottomShare));
     // A system need not have panels at every place.

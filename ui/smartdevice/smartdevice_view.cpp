@@ -59,8 +59,8 @@ std::vector<PanelEntry> SmartdeviceView::panels() const {
 }
 
 int SmartdeviceView::workHeight() const {
-    // Two rows of cards under the panel's tab and title.
-    constexpr int kFrame = 96;
+    // Two rows of cards, with what is around panels.
+    constexpr int kFrame = 120;
     return 2 * (DeviceCard::kHeight + metrics::kGap) + metrics::kGap + kFrame;
 }
 
