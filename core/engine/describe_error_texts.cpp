@@ -291,7 +291,9 @@ constexpr ErrorText kPlans[] = {
      QT_TRANSLATE_NOOP("Error",
                        "Nothing came back that says whether it arrived ({subject}), and it is not sent again "
                        "unasked."),
-     QT_TRANSLATE_NOOP("Error", "Look at the robot: if it does not do it, ask again."), "", "execute"},
+     QT_TRANSLATE_NOOP("Error",
+                       "Look at the robot: if it stands, stop the plan to be sure, and execute it again."),
+     "", "execute"},
     {Errc::Unconfirmed,
      QT_TRANSLATE_NOOP("Error",
                        "Nothing came back that says whether it arrived ({subject}), and it is not sent again "

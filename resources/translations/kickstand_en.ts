@@ -2181,6 +2181,10 @@
         <source>Ask what is there now, then send it again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Look at the robot: if it stands, stop the plan to be sure, and execute it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>EventWords</name>
@@ -9023,10 +9027,6 @@ microcontroller %3, flash %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>plan %1, executing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>plan %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9077,6 +9077,14 @@ steps not known</source>
     </message>
     <message>
         <source>Plan %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may be executing: nothing came back. Look at the robot, and press Stop plan to be sure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan %1, %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -226,6 +226,28 @@ TEST_F(PlanWindow, StepsAreAddedChangedMovedAndUndone) {
     EXPECT_TRUE(text("planLength").contains(QStringLiteral("3 of 55")));
 }
 
+TEST_F(PlanWindow, StepsAreRemovedAndBroughtBackByKeys) {
+    add("Forward", 25);
+    add("Turn right", 84);
+    auto* list = find<QListWidget>("planSteps");
+    list->setFocus();
+    window->activateWindow();
+    ASSERT_TRUE(waitFor([list] { return list->hasFocus(); }));
+    QTest::keyClick(list, Qt::Key_Delete);
+    EXPECT_EQ(steps(), 1);
+    QTest::keyClick(list, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(steps(), 2);
+    QTest::keyClick(list, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(steps(), 1);
+    // Of the steps alone: an amount that is typed has its own undo, and its own Delete.
+    add("Back", 3);
+    auto* amount = find<QSpinBox>("planAmount");
+    amount->setFocus();
+    ASSERT_TRUE(waitFor([amount] { return amount->hasFocus(); }));
+    QTest::keyClick(amount, Qt::Key_Delete);
+    EXPECT_EQ(steps(), 2);
+}
+
 TEST_F(PlanWindow, StepsAreDraggedIntoAnotherOrder) {
     add("Forward", 25);
     add("Turn right", 84);
@@ -390,6 +412,28 @@ TEST_F(PlanWindow, APlanGoesToTheRobotRunsLitAndIsStopped) {
     EXPECT_EQ(written.messages().back(), "01");
     ASSERT_TRUE(waitFor([this] { return find<ui::PlanPath>("planPath")->executing() == 0; }));
     EXPECT_EQ(step(0), QStringLiteral("1   forward 300 cm   19"));
+}
+
+TEST_F(PlanWindow, AnExecuteThatNothingAnswersIsLeftToThePerson) {
+    add("Forward", 300);
+    click("planSend0");
+    ASSERT_TRUE(waitFor([this] { return !client->hasPending(); }));
+    ASSERT_TRUE(waitFor([this] { return state()->slotStates[0].plan == 1; }));
+    bench->submit(SimPerform{"lose-next", -1, 1});
+    click("planExecute0");
+    ASSERT_TRUE(
+        waitFor([this] { return text("planProgress").contains(QStringLiteral("nothing came back")); }));
+    ASSERT_TRUE(waitFor([this] {
+        return text("planRobotNotice").contains(QStringLiteral("if it stands, stop the plan to be sure"));
+    }));
+    EXPECT_EQ(text("planState"), QStringLiteral("Plan 1"));
+    EXPECT_EQ(text("planSlot0"), QStringLiteral("0: plan 1, may be executing\n1 step(s)"));
+    EXPECT_TRUE(bench->isMoving());
+    EXPECT_FALSE(find<QAbstractButton>("planExecute0")->isEnabled());
+    click("planStop");
+    ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("planExecute0")->isEnabled(); }));
+    EXPECT_EQ(text("planState"), QStringLiteral("At rest"));
+    EXPECT_EQ(std::ranges::count(written.messages(), "03 01 00"), 1);
 }
 
 TEST_F(PlanWindow, WhyAPlanOfSomebodyElseIsNotDrawnIsSaid) {

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStyledItemDelegate>
@@ -116,6 +117,7 @@ PlanPanel::PlanPanel(Bench& bench, PlanDocument& document, QWidget* parent)
     build();
     connectDocument();
     connectButtons();
+    connectKeys();
     refreshSteps();
     refreshState();
 }
@@ -229,10 +231,29 @@ void PlanPanel::connectButtons() {
         choose(static_cast<int>(place) + 1);
     });
     connect(split_, &QPushButton::clicked, this, &PlanPanel::split);
-    connect(undo_, &QPushButton::clicked, &document_.undoStack(), &QUndoStack::undo);
-    connect(redo_, &QPushButton::clicked, &document_.undoStack(), &QUndoStack::redo);
+    // The plan has changed before the stack knows what can be undone.
+    QUndoStack& changes = document_.undoStack();
+    undo_->setEnabled(changes.canUndo());
+    redo_->setEnabled(changes.canRedo());
+    connect(&changes, &QUndoStack::canUndoChanged, undo_, &QPushButton::setEnabled);
+    connect(&changes, &QUndoStack::canRedoChanged, redo_, &QPushButton::setEnabled);
+    connect(undo_, &QPushButton::clicked, &changes, &QUndoStack::undo);
+    connect(redo_, &QPushButton::clicked, &changes, &QUndoStack::redo);
     connect(open_, &QPushButton::clicked, this, &PlanPanel::open);
     connect(save_, &QPushButton::clicked, this, &PlanPanel::save);
+}
+
+void PlanPanel::connectKeys() {
+    const auto add = [](const QKeySequence& keys, QWidget* where, QPushButton* one) {
+        auto* shortcut = new QShortcut(keys, where);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, one, &QPushButton::click);
+        one->setToolTip(
+            QStringLiteral("%1 (%2)").arg(one->toolTip(), keys.toString(QKeySequence::NativeText)));
+    };
+    add(QKeySequence::Undo, this, undo_);
+    add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), this, redo_);
+    add(QKeySequence::Delete, steps_, remove_);
 }
 
 int PlanPanel::chosen() const {
@@ -321,8 +342,6 @@ void PlanPanel::refreshState() {
     row_->setCanChange(any);
     const PlanDocument::Movements& movements = document_.movements();
     split_->setEnabled(std::find(movements.begin(), movements.end(), kZeroByte) != movements.end());
-    undo_->setEnabled(document_.undoStack().canUndo());
-    redo_->setEnabled(document_.undoStack().canRedo());
     save_->setEnabled(!movements.empty());
     const motionplan::Snapshot* const snapshot = planSnapshotOf(bench().session());
     const auto bytes = motionplan::planBytes(movements, motionplan::PlanUse::Trigger);

@@ -25,6 +25,7 @@ class PlanPanel final : public Panel {
     QWidget* makeButtons();
     void connectDocument();
     void connectButtons();
+    void connectKeys();
     void refreshSteps();
     void refreshState();
     /// Marks the row of the step that executes, from 1; 0 for none.

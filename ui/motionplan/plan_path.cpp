@@ -24,8 +24,9 @@ constexpr double kLeastGrid = 24;
 constexpr double kLeastRobot = 14;
 constexpr double kStepWidth = 2;
 constexpr double kLitWidth = 5;
-constexpr double kChosenWidth = 12;
-constexpr QPointF kNumberPlace{6, -4};
+constexpr double kChosenWidth = 13;
+constexpr double kChosenInside = 10;
+constexpr QPointF kNumberPlace{9, -8};
 
 }  // namespace
 
@@ -121,20 +122,21 @@ QPainterPath PlanPath::stepLine(std::size_t step, const View& view) const {
 
 void PlanPath::drawSteps(QPainter& painter, const View& view) const {
     const Tokens& tokens = tokensOf(palette());
-    // The chosen step has a wide bed under its line, so that it is told from the one that executes.
+    const auto draw = [&](std::size_t step, const QColor& colour, double width) {
+        painter.strokePath(stepLine(step, view),
+                           QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    };
+    // The chosen step has a line around it, so that it is told from the one that executes.
     if (chosen_ >= 0 && chosen_ < static_cast<int>(movements_.size())) {
-        painter.setPen(QPen(tokens.line, kChosenWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPath(stepLine(static_cast<std::size_t>(chosen_), view));
+        draw(static_cast<std::size_t>(chosen_), tokens.muted, kChosenWidth);
+        draw(static_cast<std::size_t>(chosen_), tokens.surface, kChosenInside);
     }
-    painter.setPen(QPen(tokens.text, kStepWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (std::size_t i = 0; i < movements_.size(); ++i) {
-        if (!isLit(i)) painter.drawPath(stepLine(i, view));
+        if (!isLit(i)) draw(i, tokens.text, kStepWidth);
     }
     // Last, because plans cross their own way.
     for (std::size_t i = 0; i < movements_.size(); ++i) {
-        if (!isLit(i)) continue;
-        painter.setPen(QPen(tokens.accent, kLitWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPath(stepLine(i, view));
+        if (isLit(i)) draw(i, tokens.accent, kLitWidth);
     }
 }
 

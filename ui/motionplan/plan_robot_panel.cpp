@@ -256,22 +256,27 @@ QString PlanRobotPanel::executionText(const Snapshot& snapshot) const {
     return text;
 }
 
+QString PlanRobotPanel::progressText(const Snapshot& snapshot) const {
+    const Execution& execution = snapshot.execution;
+    if (execution.state == Execution::State::Unsure)
+        return tr(
+            "It may be executing: nothing came back. Look at the robot, and press Stop plan to be sure.");
+    if (!snapshot.active())
+        return snapshot.request ? tr("asking the robot, %n more waiting", nullptr,
+                                     static_cast<int>(snapshot.request->waiting))
+                                : QString();
+    QString text = describe(execution.state);
+    if (const QString step = stepText(execution); !step.isEmpty()) text = tr("%1: %2").arg(text, step);
+    if (execution.stale) text += tr("; nothing heard for a while");
+    return text;
+}
+
 void PlanRobotPanel::refresh() {
     const Snapshot* const snapshot = planSnapshotOf(bench().session());
     const QString why = obstacle(snapshot);
     const bool reach = why.isEmpty();
     state_->setText(snapshot == nullptr ? tr("No robot") : executionText(*snapshot));
-    QString progress = why;
-    if (reach && snapshot->active()) {
-        progress = describe(snapshot->execution.state);
-        if (const QString step = stepText(snapshot->execution); !step.isEmpty())
-            progress = tr("%1: %2").arg(progress, step);
-        if (snapshot->execution.stale) progress += tr("; nothing heard for a while");
-    } else if (reach && snapshot->request) {
-        progress =
-            tr("asking the robot, %n more waiting", nullptr, static_cast<int>(snapshot->request->waiting));
-    }
-    progress_->setText(progress);
+    progress_->setText(reach ? progressText(*snapshot) : why);
     const bool trigger = snapshot != nullptr && snapshot->trigger.plan != wire::kNoPlan;
     warning_->setText(trigger ? tr("When the connection ends, the robot starts its trigger plan; STOP cannot "
                                    "reach it then.")
@@ -301,8 +306,8 @@ void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {
                       snapshot->execution.plan == state.plan;
     const QString held = !state.known ? tr("not asked")
                          : !full      ? tr("empty")
-                         : runs       ? tr("plan %1, executing").arg(state.plan)
-                                      : tr("plan %1").arg(state.plan);
+                         : runs ? tr("plan %1, %2").arg(state.plan).arg(describe(snapshot->execution.state))
+                                : tr("plan %1").arg(state.plan);
     // The robot names plans by their ID alone.
     const bool elsewhere = full && state.movements.empty();
     const QString steps = elsewhere ? tr("\nsteps not known")

@@ -44,6 +44,7 @@ class PlanRobotPanel final : public Panel {
     /// Why nothing can be asked of the robot now; empty where it can.
     QString obstacle(const motionplan::Snapshot* snapshot) const;
     QString executionText(const motionplan::Snapshot& snapshot) const;
+    QString progressText(const motionplan::Snapshot& snapshot) const;
 
     PlanDocument& document_;
     QLabel* state_;
