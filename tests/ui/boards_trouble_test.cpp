@@ -7,7 +7,20 @@
 namespace kickstand::test {
 namespace {
 
-class BoardsTrouble : public BoardWindow {};
+class BoardsTrouble : public BoardWindow {
+  protected:
+    /// Connects to one that hears everything and says nothing any more.
+    void connectToMute(const char* kind) {
+        connectTo(kind);
+        choose(QLatin1String(kind));
+        simulate("silent", 0, 1);
+        ASSERT_TRUE(waitFor([&] {
+            return std::ranges::any_of(bench->session()->simReadings, [](const SimReading& reading) {
+                return reading.action == "silent" && reading.value == 1;
+            });
+        }));
+    }
+};
 
 TEST_F(BoardsTrouble, ABusyPortSaysSoWithTheRemedy) {
     connectInVain(Errc::ClaimedElsewhere);
@@ -42,20 +55,31 @@ TEST_F(BoardsTrouble, BytesOfABoardThatNobodyKnowsAreShownAndWritten) {
 }
 
 TEST_F(BoardsTrouble, WhatWasSentAndNotAnsweredIsNotSaidToBeUnsent) {
-    connectTo("PolarBear");
-    choose(QStringLiteral("PolarBear"));
-    simulate("silent", 0, 1);
-    ASSERT_TRUE(waitFor([&] {
-        return std::ranges::any_of(bench->session()->simReadings, [](const SimReading& reading) {
-            return reading.action == "silent" && reading.value == 1;
-        });
-    }));
+    connectToMute("PolarBear");
     type(0, QStringLiteral("0.25"));
     ASSERT_TRUE(waitForWrite("14 06 01 00 00 00 80 3e ad"));
     ASSERT_TRUE(waitForVerdict(0, "sent, no answer"));
     // A board that is not there any more is not written to.
     ASSERT_TRUE(waitFor([&] { return !editor(0)->isEnabled(); }));
     EXPECT_EQ(verdict(0), QStringLiteral("sent, no answer"));
+}
+
+TEST_F(BoardsTrouble, AWriteWhoseBoardIsPulledOutIsSaidToHaveLostIt) {
+    connectToMute("PolarBear");
+    type(0, QStringLiteral("0.25"));
+    simulate("plugged", 0, 0);
+    ASSERT_TRUE(waitForVerdict(0, "lost before it answered"));
+    EXPECT_EQ(writes.last(), "14 06 01 00 00 00 80 3e ad");
+    ASSERT_TRUE(waitFor([&] { return line(0).standing.text.startsWith(QStringLiteral("lost")); }));
+    EXPECT_EQ(verdict(0), QStringLiteral("lost before it answered"));
+}
+
+TEST_F(BoardsTrouble, AWriteThatEndsWithStopIsSaidToBeStopped) {
+    connectToMute("PolarBear");
+    type(0, QStringLiteral("0.25"));
+    client->stop(StopReason::Person);
+    ASSERT_TRUE(waitForVerdict(0, "stopped"));
+    ASSERT_TRUE(waitForWrite("16 00 16"));
 }
 
 TEST_F(BoardsTrouble, APositionDrivesTooAndIsStoppedWithThePanel) {
