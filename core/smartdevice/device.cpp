@@ -210,10 +210,9 @@ void Device::take(const wire::SubscriptionResponse& message, TimePoint now) {
     sampleAt_ = now;
     pieces_.restart(state_.subscribed, state_.delay_ms != 0);
     if (before != message.delay_ms) raise(EventKind::Subscribed, {}, message.delay_ms, state_.wantedDelay_ms);
-    // A ping is answered in the same way, by a board that has not been asked for updates yet.
-    if ((message.delay_ms == 0) != (state_.wantedDelay_ms == 0)) return;
-    request_.end();
-    state_.ungranted = false;
+    const bool settled = request_.settledBy(message);
+    state_.ungranted = state_.ungranted && !settled && message.delay_ms == 0;
+    if (!settled) return;
     // There is one subscription: what holds now holds for whoever asked.
     for (const PendingSubscription& one : std::exchange(subscriptions_, {}))
         host_.answer(one.id, {});
@@ -291,7 +290,7 @@ void Device::store(const wire::DeviceData& message, TimePoint now) {
 void Device::askForUpdates(TimePoint now) {
     sampleAt_ = now;
     state_.ungranted = false;
-    request_.begin(now);
+    request_.begin({state_.wanted, state_.wantedDelay_ms}, now);
     requestUpdates();
 }
 

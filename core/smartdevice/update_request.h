@@ -1,8 +1,10 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 
 #include "core/base/time.h"
+#include "core/smartdevice/wire/message.h"
 
 namespace kickstand::smartdevice {
 
@@ -13,29 +15,22 @@ class UpdateRequest {
     static constexpr int kAsks = 10;
 
     /// It was sent for the first time.
-    void begin(TimePoint now) {
-        asked_ = 1;
-        nextAt_ = now + kAskEvery;
-    }
-    /// It was granted, or nobody is there any more.
+    void begin(const wire::SubscriptionRequest& request, TimePoint now);
+    /// Nobody is there any more.
     void end() { asked_ = 0; }
     bool isOpen() const { return asked_ > 0; }
+    /// A response came. Whether this is what the device will do: it grants what was asked for, or insists on
+    /// something else. What differs is asked for once more, since it may answer an earlier request.
+    bool settledBy(const wire::SubscriptionResponse& response);
 
     enum class Due { Nothing, AskAgain, GiveUp };
     /// What there is to do now; after GiveUp it is not open any more.
-    Due due(TimePoint now) {
-        if (asked_ == 0 || now < nextAt_) return Due::Nothing;
-        if (asked_ == kAsks) {
-            asked_ = 0;
-            return Due::GiveUp;
-        }
-        ++asked_;
-        nextAt_ = now + kAskEvery;
-        return Due::AskAgain;
-    }
+    Due due(TimePoint now);
 
   private:
-    int asked_ = 0;  ///< How often; 0 while nothing is open.
+    wire::SubscriptionRequest request_;
+    std::optional<wire::SubscriptionResponse> other_;  ///< What was granted instead.
+    int asked_ = 0;                                    ///< How often; 0 while nothing is open.
     TimePoint nextAt_{};
 };
 

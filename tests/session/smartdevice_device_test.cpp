@@ -35,6 +35,10 @@ class SmartDeviceLine : public ::testing::Test, private SampleSink {
     }
 
     TimePoint now_{1s};
+    void granted(wire::ParameterMask parameters, std::uint16_t delay_ms) {
+        device_->message(wire::SubscriptionResponse{parameters, delay_ms, {}}, now_);
+    }
+
     bool isFull_ = false;
     std::vector<wire::Message> sent_;
     std::map<CommandId, Result<void>> answers_;
@@ -61,6 +65,38 @@ TEST_F(SmartDeviceLine, AStopThatTheLineDoesNotTakeIsOwedUntilItDoes) {
     EXPECT_TRUE(device_->state().disabled);
     EXPECT_EQ(count<wire::DeviceDisable>(), 1);
     EXPECT_EQ(count<wire::DeviceWrite>(), 2) << "the duty cycle, and zero";
+}
+
+TEST_F(SmartDeviceLine, AnAnswerToAnEarlierRequestForUpdatesIsNotTakenForThatToTheLast) {
+    device_->subscribe(1, {0, 0x3, 40}, now_);
+    // The answer to this one is that to the one before; it got lost itself.
+    device_->subscribe(2, {0, 0x1, 100}, now_);
+    granted(device_->state().spec->readable() & 0x3, 40);
+    EXPECT_FALSE(answers_.contains(2));
+    sent_.clear();
+    device_->step(now_ += 500ms);
+    EXPECT_EQ(count<wire::SubscriptionRequest>(), 1);
+    granted(0x1, 100);
+    ASSERT_TRUE(answers_.contains(2));
+    EXPECT_TRUE(answers_[2]);
+    EXPECT_EQ(device_->state().delay_ms, 100);
+    sent_.clear();
+    device_->step(now_ += 500ms);
+    EXPECT_EQ(count<wire::SubscriptionRequest>(), 0);
+}
+
+TEST_F(SmartDeviceLine, WhatTheDeviceInsistsOnIsItsGrant) {
+    device_->subscribe(1, {0, 0x1, 5}, now_);
+    granted(0x1, 20);
+    EXPECT_EQ(device_->state().delay_ms, 20) << "that is what it does now";
+    device_->step(now_ += 500ms);
+    granted(0x1, 20);
+    ASSERT_TRUE(answers_.contains(1));
+    EXPECT_TRUE(answers_[1]);
+    sent_.clear();
+    device_->step(now_ += 500ms);
+    EXPECT_EQ(count<wire::SubscriptionRequest>(), 0);
+    EXPECT_FALSE(device_->state().ungranted);
 }
 
 TEST_F(SmartDeviceLine, WhatTheLineDoesNotTakeWasNotWritten) {
