@@ -5484,6 +5484,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>&amp;Wheel speeds</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Turn the emergency stop back to run first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TileMarks</name>

@@ -180,6 +180,20 @@ TEST_F(StopTest, RearmingHasAKeyOfItsOwn) {
     EXPECT_FALSE(rig.client().isStopped());
 }
 
+TEST_F(StopTest, RearmingWaitsForTheEmergencyStop) {
+    rig.simulate("e-stop", -1, 2);
+    ASSERT_TRUE(rig.waitForStop());
+    auto* rearm = rig.find<QPushButton>(QStringLiteral("rearm"));
+    ASSERT_TRUE(waitUntil([rearm] { return rearm->isVisible() && !rearm->isEnabled(); }));
+    rig.press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(rig.client().isStopped());
+    rig.simulate("e-stop", -1, 3);
+    ASSERT_TRUE(waitUntil([rearm] { return rearm->isEnabled(); }));
+    EXPECT_TRUE(rig.client().isStopped()) << "the switch alone takes nothing back";
+    rig.press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(rig.client().isStopped());
+}
+
 TEST_F(StopTest, ASliderThatIsHeldIsTakenOutOfTheHand) {
     rig.clickRobot(3);
     auto* slider = rig.find<QWidget>(QStringLiteral("wheel1"))->findChild<QAbstractSlider*>();

@@ -96,7 +96,7 @@ void MainWindow::makeBanners() {
     QPushButton* rearm = stopped_->addButton(tr("Re-arm   Ctrl+Shift+R"));
     rearm->setObjectName(QStringLiteral("rearm"));
     rearm->setAccessibleName(tr("Re-arm"));
-    rearm->setToolTip(tr("Lets robots be driven again. Nothing starts by itself."));
+    rearm_ = rearm;
     connect(rearm, &QPushButton::clicked, this, [this] { bench_.client().rearm(); });
     auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this);
     connect(shortcut, &QShortcut::activated, rearm, &QPushButton::click);
@@ -168,15 +168,25 @@ void MainWindow::refreshLeftBehind() {
 
 void MainWindow::refreshStop() {
     const bool stopped = bench_.client().isStopped();
-    if (stopped) {
-        const StopReason reason = bench_.client().stopReason();
-        const SessionSnapshot* session = bench_.session();
-        const QString told = session == nullptr ? QString() : stoppedText(session->system, reason);
-        stopped_->setText(tr("STOPPED \u2014 %1").arg(describe(reason)), told);
-    }
+    if (stopped) refreshStoppedText();
     stopped_->setVisible(stopped);
     frame_->setVisible(stopped);
     frame_->raise();
+}
+
+void MainWindow::refreshStoppedText() {
+    const StopReason reason = bench_.client().stopReason();
+    QStringList told;
+    QString hindrance;
+    if (const SessionSnapshot* session = bench_.session()) {
+        hindrance = bench_.view()->rearmHindrance(session->system);
+        told = QStringList{hindrance, stoppedText(session->system, reason)};
+        told.removeAll(QString());
+    }
+    stopped_->setText(tr("STOPPED \u2014 %1").arg(describe(reason)), told.join(u' '));
+    rearm_->setEnabled(hindrance.isEmpty());
+    rearm_->setToolTip(hindrance.isEmpty() ? tr("Lets robots be driven again. Nothing starts by itself.")
+                                           : hindrance);
 }
 
 void MainWindow::showProblem(const Error& error) {

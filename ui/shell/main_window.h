@@ -50,6 +50,7 @@ class MainWindow final : public QWidget {
     void refreshLeftBehind();
     void refreshProblem();
     void refreshStop();
+    void refreshStoppedText();
     void copyRemedy();
     void saveLayout();
 
@@ -64,6 +65,7 @@ class MainWindow final : public QWidget {
     Banner* leftBehind_ = nullptr;
     Banner* problem_ = nullptr;
     QWidget* copy_ = nullptr;
+    QWidget* rearm_ = nullptr;
     QWidget* dismiss_ = nullptr;
     StoppedFrame* frame_;
     HelpWindow* help_ = nullptr;

@@ -81,6 +81,11 @@ class SystemView {
     virtual bool isMoving(const SystemSnapshot& system) const = 0;
     /// The same, or is armed.
     virtual bool isActive(const SystemSnapshot& system) const = 0;
+    /// Why a STOP cannot be taken back yet, with what to do; empty where it can.
+    virtual QString rearmHindrance(const SystemSnapshot& system) const {
+        Q_UNUSED(system)
+        return {};
+    }
     /// How the link stands, first, and other states that matter everywhere.
     virtual std::vector<StateText> states(const SessionSnapshot& session) const = 0;
     /// Why the link does not run, where it does not.

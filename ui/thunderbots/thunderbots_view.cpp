@@ -168,6 +168,13 @@ std::vector<StateText> ThunderbotsView::states(const SessionSnapshot& session) c
     return states;
 }
 
+QString ThunderbotsView::rearmHindrance(const SystemSnapshot& system) const {
+    const auto& snapshot = std::get<Snapshot>(system);
+    const bool pressed =
+        !snapshot.cable && snapshot.link == LinkState::Running && snapshot.eStop != wire::EStop::Run;
+    return pressed ? Words::tr("Turn the emergency stop back to run first.") : QString();
+}
+
 const Error* ThunderbotsView::obstacle(const SystemSnapshot& system) const {
     const auto& snapshot = std::get<Snapshot>(system);
     if (snapshot.link == LinkState::Running || !snapshot.error) return nullptr;

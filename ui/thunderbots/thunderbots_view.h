@@ -30,6 +30,7 @@ class ThunderbotsView final : public SystemView {
     bool owns(const SystemSnapshot& system) const override;
     bool isMoving(const SystemSnapshot& system) const override;
     bool isActive(const SystemSnapshot& system) const override;
+    QString rearmHindrance(const SystemSnapshot& system) const override;
     std::vector<StateText> states(const SessionSnapshot& session) const override;
     const Error* obstacle(const SystemSnapshot& system) const override;
     QStringList facts(const SessionSnapshot& session) const override;
