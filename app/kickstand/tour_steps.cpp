@@ -115,7 +115,7 @@ void Steps::stopping() {
     show("e-stop", simulate("e-stop", -1, 2),
          when([](const Snapshot& s) { return s.eStop == wire::EStop::Stop; }));
     add("e-stop-run", simulate("e-stop", -1, 3),
-        when([](const Snapshot& s) { return s.eStop == wire::EStop::Run; }));
+        [rearm = window()->findChild<QWidget*>(QStringLiteral("rearm"))] { return rearm->isEnabled(); });
     add("re-arm", press("rearm"), [bench = bench()] { return !bench->client().isStopped(); });
 }
 
