@@ -127,7 +127,7 @@ TEST(ProgramSmartDevice, SubscribeTellsEveryUpdateOfAFastOne) {
 
 TEST(ProgramSmartDevice, ASplitSampleIsToldPieceByPiece) {
     const Ended ended = run({"--json", "--link", "sim:smartdevice?devices=TeamFlag&boot_ms=50&data_bytes=4",
-                             "smartdevice", "subscribe", "TeamFlag", "--for", "0.3"});
+                             "smartdevice", "subscribe", "TeamFlag", "--for", "2"});
     EXPECT_EQ(ended.exitCode, 0) << ended.err;
     std::set<qsizetype> sizes;
     for (const QJsonValue& value : ended.values()) {

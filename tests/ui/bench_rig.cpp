@@ -93,6 +93,13 @@ bool BenchRig::waitForBlock(int robot, const std::function<bool(const wire::Driv
     });
 }
 
+bool BenchRig::waitForAnyBlock(int robot, const std::function<bool(const wire::DriveBlock&)>& condition) {
+    return waitUntil([this, robot, &condition] {
+        const std::vector<wire::DriveBlock> blocks = wire().blocks(robot);
+        return std::any_of(blocks.begin(), blocks.end(), condition);
+    });
+}
+
 bool BenchRig::settle() {
     if (!waitUntil([this] { return !client_->hasPending(); })) return false;
     // What was answered is in the snapshot after this.

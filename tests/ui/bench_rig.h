@@ -43,6 +43,9 @@ class BenchRig {
     [[nodiscard]] bool waitForStop() {
         return waitUntil([this] { return client().isStopped(); });
     }
+    /// The same where the block may be followed by others: of all those since wire().clear().
+    [[nodiscard]] bool waitForAnyBlock(
+        int robot, const std::function<bool(const thunderbots::wire::DriveBlock&)>& condition);
     /// Waits until no command is on its way any more.
     [[nodiscard]] bool settle();
     /// Re-arms and waits until the window has seen both the STOP and its end: what is typed before that is

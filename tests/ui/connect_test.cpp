@@ -170,7 +170,8 @@ TEST_F(ConnectTest, DisconnectingLeadsBackToTheStart) {
     EXPECT_TRUE(rig.find<QWidget>(QStringLiteral("startPage"))->isVisible());
     EXPECT_FALSE(simulated()->isVisible());
     // The last that was said to every robot is: brake.
-    EXPECT_EQ(rig.wire().last(0), std::optional(wire::brakedBlock()));
+    EXPECT_TRUE(
+        rig.waitForBlock(0, [](const wire::DriveBlock& block) { return block == wire::brakedBlock(); }));
 }
 
 TEST_F(ConnectTest, HardwareThatIsLeftLiveIsRememberedUntilAPersonSaysOtherwise) {

@@ -64,11 +64,11 @@ TEST_F(DriveTest, NegativeNumbersAreSentAndShownWithTheirSign) {
 
 TEST_F(DriveTest, TheEngineRampsWhatIsTyped) {
     rig.clickRobot(0);
-    rig.typeWheel(1, QStringLiteral("60"));
-    ASSERT_TRUE(rig.waitForBlock(0, [](const DriveBlock& block) { return block.wheels[0] == 60; }));
+    rig.typeWheel(1, QStringLiteral("100"));
+    ASSERT_TRUE(rig.waitForBlock(0, [](const DriveBlock& block) { return block.wheels[0] == 100; }));
     const auto blocks = rig.wire().blocks(0);
     EXPECT_TRUE(std::any_of(blocks.begin(), blocks.end(), [](const DriveBlock& block) {
-        return block.wheels[0] > 0 && block.wheels[0] < 60;
+        return block.wheels[0] > 0 && block.wheels[0] < 100;
     }));
 }
 
