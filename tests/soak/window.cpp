@@ -1,7 +1,9 @@
 // The window as it stands on a bench for an hour: sixteen simulated robots on an ideal radio, 200 readings a
 // second each, all plotted while a person kicks, drives, looks through the panels and comes back. Every frame
 // of the plot is timed, and memory is looked at every minute. Prints one JSON object; exits 1 when a frame
-// came later than 50 ms, when memory grew after the rings were full, or when something was stopped.
+// came later than 50 ms, when memory grew after the rings were full, or when something was stopped. For each
+// late frame it says how long the window's thread was at work meanwhile: where that is short, the machine was
+// with somebody else.
 //
 //     window [MINUTES]
 
@@ -11,9 +13,9 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -44,25 +46,53 @@ constexpr int kMinute_ms = 60'000;
 /// Connecting, laying out and the first pictures of every panel are not what this is about.
 constexpr int kWarmUp_ms = 20'000;
 
+/// The time that this thread has been at work.
+double worked_ms() {
+    timespec worked{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &worked);
+    return static_cast<double>(worked.tv_sec) * 1e3 + static_cast<double>(worked.tv_nsec) / 1e6;
+}
+
+struct LateFrame {
+    double at_s;
+    double took_ms;
+    double worked_ms;
+};
+
 /// Times the paint events of a widget that has something new to show on every frame.
 class FrameWatch final : public QObject {
   public:
     using QObject::QObject;
 
-    void begin() { sincePaint_.start(); }
+    void begin() {
+        sinceBegin_.start();
+        sincePaint_.start();
+        worked_ms_ = worked_ms();
+    }
     const std::vector<double>& frames_ms() const { return frames_ms_; }
+    const std::vector<LateFrame>& late() const { return late_; }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::Paint && sincePaint_.isValid()) {
-            frames_ms_.push_back(static_cast<double>(sincePaint_.nsecsElapsed()) / 1e6);
+            const double took_ms = static_cast<double>(sincePaint_.nsecsElapsed()) / 1e6;
+            const double worked = worked_ms();
+            frames_ms_.push_back(took_ms);
+            if (took_ms > kLatest_ms) {
+                late_.push_back(
+                    {static_cast<double>(sinceBegin_.elapsed()) / 1e3, took_ms, worked - worked_ms_});
+            }
+            worked_ms_ = worked;
             sincePaint_.restart();
         }
         return QObject::eventFilter(watched, event);
     }
 
   private:
+    QElapsedTimer sinceBegin_;
     QElapsedTimer sincePaint_;
+    double worked_ms_ = 0;
     std::vector<double> frames_ms_;
+    std::vector<LateFrame> late_;
 };
 
 class WindowHour final : public QObject {
@@ -173,27 +203,28 @@ int WindowHour::report() {
         std::fputs("window: the plot was never painted\n", stderr);
         return 1;
     }
-    // Where in the run the late ones were tells a slow first look at a panel from a slow plot.
-    std::string lateAt;
-    double passed_ms = 0;
-    for (const double frame_ms : frames) {
-        passed_ms += frame_ms;
-        if (frame_ms > kLatest_ms)
-            lateAt += (lateAt.empty() ? "" : ",") + std::to_string(std::lround(passed_ms / 1000));
+    std::string lateOnes;
+    for (const LateFrame& late : frames_.late()) {
+        lateOnes += QStringLiteral("%1{\"at_s\":%2,\"took_ms\":%3,\"worked_ms\":%4}")
+                        .arg(lateOnes.empty() ? QString() : QStringLiteral(","))
+                        .arg(late.at_s, 0, 'f', 1)
+                        .arg(late.took_ms, 0, 'f', 1)
+                        .arg(late.worked_ms, 0, 'f', 1)
+                        .toStdString();
     }
     std::sort(frames.begin(), frames.end());
     const auto at = [&frames](double share) {
         return frames[static_cast<std::size_t>(share * static_cast<double>(frames.size() - 1))];
     };
-    const auto late = frames.end() - std::upper_bound(frames.begin(), frames.end(), kLatest_ms);
+    const std::size_t late = frames_.late().size();
     const double grown = memory_MB_.back() - memory_MB_[memory_MB_.size() / 4];
     const bool good = late == 0 && grown <= kMayGrow_MB && stops_ == 0 && eventsLost_ == 0;
     std::printf(
         "{\"minutes\":%.1f,\"frames\":%zu,\"frame_ms\":{\"p50\":%.1f,\"p99\":%.1f,\"max\":%.1f},"
-        "\"later_than_50_ms\":%td,\"late_at_s\":[%s],\"kicks\":%llu,\"stops\":%llu,\"events_lost\":%llu,"
+        "\"later_than_50_ms\":%zu,\"late\":[%s],\"kicks\":%llu,\"stops\":%llu,\"events_lost\":%llu,"
         "\"memory_MB\":{\"start\":%.1f,\"quarter\":%.1f,\"end\":%.1f},"
         "\"resident_MB\":{\"start\":%.1f,\"quarter\":%.1f,\"end\":%.1f},\"good\":%s}\n",
-        minutes_, frames.size(), at(0.5), at(0.99), frames.back(), late, lateAt.c_str(),
+        minutes_, frames.size(), at(0.5), at(0.99), frames.back(), late, lateOnes.c_str(),
         static_cast<unsigned long long>(kicks_), static_cast<unsigned long long>(stops_),
         static_cast<unsigned long long>(eventsLost_), memory_MB_.front(), memory_MB_[memory_MB_.size() / 4],
         memory_MB_.back(), resident_MB_.front(), resident_MB_[resident_MB_.size() / 4], resident_MB_.back(),
