@@ -77,6 +77,30 @@ TEST(ProgramCoach, SetsUpAFreshModule) {
     EXPECT_EQ(get.object()[QStringLiteral("address")].toInt(), 0xBC05);
 }
 
+/// Their speed is none of those that have names.
+TEST(ProgramCoach, SetsUpTheRadioOfAThunderbotsDongleOverASerialPort) {
+    std::string folder = testing::TempDir() + "kscoachXXXXXX";
+    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+    const std::string port = folder + "/radio";
+    {
+        Program simulator({"coach", "--pty", port, "--json"}, kSim);
+        ASSERT_TRUE(simulator.waitFor("\n"));
+        const std::string link = "serial:" + port + "?protocol=coach";
+        const Ended ended = coach({"radio", "set", "--preset", "dongle", "--radio", "0"}, link);
+        EXPECT_EQ(ended.exitCode, 0) << ended.err;
+        EXPECT_EQ(ended.object()[QStringLiteral("baud")].toInt(), 250000);
+        EXPECT_EQ(ended.object()[QStringLiteral("address")].toInt(), 0x7B40);
+        const Ended found = coach({"radio", "get"}, link);
+        EXPECT_EQ(found.exitCode, 0) << found.err;
+        EXPECT_EQ(found.object()[QStringLiteral("baud")].toInt(), 250000);
+        const Ended back = coach({"radio", "set", "--preset", "coach", "--team", "5"}, link);
+        EXPECT_EQ(back.exitCode, 0) << back.err;
+        EXPECT_EQ(back.object()[QStringLiteral("baud")].toInt(), 9600);
+    }
+    ::unlink(port.c_str());
+    ::rmdir(folder.c_str());
+}
+
 TEST(ProgramCoach, PlaysTheBoat) {
     const Ended ended = coach({"towrp", "--for", "3"}, "sim:coach?address=0xAF05&towrps=&coaches=4");
     EXPECT_EQ(ended.exitCode, 0) << ended.err;

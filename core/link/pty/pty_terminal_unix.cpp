@@ -10,6 +10,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "core/link/pty/pty_speed.h"
 #include "core/link/pty/pty_terminal.h"
 
 namespace kickstand::pty {
@@ -24,21 +25,6 @@ constexpr int kPiecesATurn = 16;
 
 tl::unexpected<Error> failNow(const char* what) {
     return fail(Errc::Io, what, std::strerror(errno));
-}
-
-struct Speed {
-    speed_t code;
-    Baud baud;
-};
-constexpr std::array kSpeeds{Speed{B1200, 1200},     Speed{B2400, 2400},     Speed{B4800, 4800},
-                             Speed{B9600, 9600},     Speed{B19200, 19200},   Speed{B38400, 38400},
-                             Speed{B57600, 57600},   Speed{B115200, 115200}, Speed{B230400, 230400},
-                             Speed{B460800, 460800}, Speed{B921600, 921600}, Speed{B1000000, 1000000}};
-
-Baud baudOf(const termios& settings) {
-    const speed_t code = cfgetospeed(&settings);
-    const auto found = std::ranges::find(kSpeeds, code, &Speed::code);
-    return found == kSpeeds.end() ? 0 : found->baud;
 }
 
 /// Makes the terminal pass every byte as it is. Opening and closing the host's end also makes the kernel say
@@ -160,16 +146,13 @@ void Terminal::setHeld(bool held) {
         waiting_.clear();
     }
     if (!held) return events_.closed();
-    termios settings{};
-    baud_ = tcgetattr(master_, &settings) == 0 ? baudOf(settings) : 0;
+    baud_ = baudOf(master_).value_or(0);
     events_.opened(baud_);
 }
 
 void Terminal::watchBaud() {
-    termios settings{};
-    if (tcgetattr(master_, &settings) != 0) return;
-    const Baud baud = baudOf(settings);
-    if (std::exchange(baud_, baud) != baud) events_.baudChanged(baud);
+    const std::optional<Baud> baud = baudOf(master_);
+    if (baud && std::exchange(baud_, *baud) != *baud) events_.baudChanged(*baud);
 }
 
 void Terminal::receive() {
