@@ -3,6 +3,22 @@
 #include <utility>
 
 namespace kickstand::coach {
+namespace {
+
+bool isPlain(const xbee::Frame& frame) {
+    const xbee::FrameData data = xbee::encodeFrame(frame);
+    return xbee::wrapFrame(data.view(), xbee::ApiMode::Escaped).size() ==
+           xbee::wrapFrame(data.view(), xbee::ApiMode::Plain).size();
+}
+
+/// Whether a question, and its answer from a module in API mode 2, are the same bytes in both API modes.
+bool readsTheSame(const xbee::AtCommand& question) {
+    constexpr std::array kEscapedMode{static_cast<std::uint8_t>(ModuleMode::ApiEscaped)};
+    const auto ok = static_cast<std::uint8_t>(xbee::AtOutcome::Ok);
+    return isPlain(question) && isPlain(xbee::AtResponse{question.frameId, question.name, ok, kEscapedMode});
+}
+
+}  // namespace
 
 RadioLine::RadioLine(Scheduler& scheduler, ByteLink& link, Listener listener)
     : scheduler_(scheduler), link_(link), listener_(std::move(listener)) {
@@ -20,12 +36,8 @@ void RadioLine::setMode(ModuleMode mode) {
 }
 
 std::uint8_t RadioLine::nextFrameId() {
-    // 0 asks for no answer; the bytes that API mode 2 escapes are left out, so that a frame reads the same in
-    // both modes while it is not known yet which one the module is in.
-    do
-        ++lastFrameId_;
-    while (lastFrameId_ == 0 || lastFrameId_ == xbee::kDelimiter || lastFrameId_ == xbee::kEscape ||
-           lastFrameId_ == 0x11 || lastFrameId_ == 0x13);
+    // 0 asks for no answer.
+    if (++lastFrameId_ == 0) ++lastFrameId_;
     return lastFrameId_;
 }
 
@@ -51,9 +63,13 @@ void RadioLine::send(std::uint16_t destination, const wire::Message& message) {
 }
 
 std::uint8_t RadioLine::sendAt(std::array<char, 2> name, ByteView value) {
-    const std::uint8_t id = nextFrameId();
-    write(xbee::AtCommand{id, name, value});
-    return id;
+    xbee::AtCommand command{nextFrameId(), name, value};
+    // Which mode the module is in is what is asked first: the number decides whether frame and answer hold a
+    // byte, the checksum if nothing else, that the two modes write differently.
+    while (value.empty() && !readsTheSame(command))
+        command.frameId = nextFrameId();
+    write(command);
+    return command.frameId;
 }
 
 void RadioLine::sendText(std::string_view text) {

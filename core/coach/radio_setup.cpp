@@ -86,10 +86,11 @@ void RadioSetup::setBaud(Baud baud, std::function<void()> then) {
     baud_ = baud;
     link_.setBaud(baud, [this, job = job_, then = std::move(then)](const Result<void>& set) {
         if (job != job_) return;
-        // A speed that this port does not have is one at which no module can be found.
         if (set) return then();
-        if (set.error().code == Errc::OutOfRange || set.error().code == Errc::Unsupported) return tryNext();
-        finish(fail(set.error()));
+        if (set.error().code == Errc::NotConnected || set.error().code == Errc::Cancelled)
+            return finish(fail(set.error()));
+        // A speed that this port does not have is one at which no module can be found.
+        tryNext();
     });
 }
 
@@ -105,7 +106,7 @@ void RadioSetup::tryNext() {
 
 void RadioSetup::tryFrames() {
     line_.setMode(ModuleMode::Api);
-    // Neither this question nor its answer holds a byte that API mode 2 escapes.
+    // The question and its answer read the same in both modes.
     client_.ask(kMode, {}, [this](const Result<std::vector<std::uint8_t>>& value) {
         if (!value) return tryNext();
         line_.setMode(numberOf(*value) == 2 ? ModuleMode::ApiEscaped : ModuleMode::Api);
@@ -211,9 +212,25 @@ void RadioSetup::apply(const RadioSettings& present, const RadioSettings& wanted
     if (auto right = checkSettings(wanted); !right) return finish(fail(right.error()));
     wanted_ = wanted;
     planChanges(present);
-    client_.enterCommandMode([this](const Result<std::vector<std::uint8_t>>& entered) {
-        if (!entered) return finish(fail(entered.error()));
-        setNext();
+    tryWantedBaud([this] {
+        client_.enterCommandMode([this](const Result<std::vector<std::uint8_t>>& entered) {
+            if (!entered) return finish(fail(entered.error()));
+            setNext();
+        });
+    });
+}
+
+/// A module at a speed that the port does not have would be lost: the port is asked before the module is.
+void RadioSetup::tryWantedBaud(std::function<void()> then) {
+    const Baud present = baud_;
+    const Baud wanted = wanted_->baud;
+    if (wanted == present) return then();
+    link_.setBaud(wanted, [this, job = job_, present, wanted, then = std::move(then)](Result<void> set) {
+        if (job != job_) return;
+        if (set) return setBaud(present, then);
+        if (set.error().code != Errc::NotConnected && set.error().code != Errc::Cancelled)
+            set = fail(Errc::Unsupported, std::to_string(wanted) + " baud");
+        finish(fail(set.error()));
     });
 }
 

@@ -23,7 +23,8 @@ class RadioSetup {
     void find(Baud baud, Done done);
     /// Sets what differs from `present`, which was read before, writes it to the module's memory, finds it
     /// again and reads it back. Errors: checkSettings()'s; BadArgument with the module's word where it
-    /// refuses; RadioDiffers where it says something else afterwards; TimedOut.
+    /// refuses; RadioDiffers where it says something else afterwards; TimedOut; Unsupported with the speed
+    /// where the port does not have the one that is wanted, and then nothing was said to the module.
     void apply(const RadioSettings& present, const RadioSettings& wanted, Done done);
     /// Breaks off.
     void cancel();
@@ -53,6 +54,7 @@ class RadioSetup {
     void readNext();
     void take(AtName name, const std::vector<std::uint8_t>& value);
     void leave(std::function<void()> then);
+    void tryWantedBaud(std::function<void()> then);
     void planChanges(const RadioSettings& present);
     void setNext();
     void afterSetting(AtName name);

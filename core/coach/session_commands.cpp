@@ -169,19 +169,21 @@ void Session::perform(CommandId id, const ApplyRadio& command) {
 void Session::setUp(CommandId id, const Result<FoundRadio>& radio, EventKind done, EventKind failed,
                     std::int64_t changes) {
     settingFor_ = 0;
+    // After a failure it is not known what the module is set to, unless nothing was said to it.
     if (radio) {
         radio_ = *radio;
+    } else if (radio.error().code != Errc::Unsupported) {
+        radio_.reset();
+    }
+    const bool frames = radio_ && radio_->settings.mode != ModuleMode::Transparent;
+    enter(frames ? LinkState::Running : LinkState::NoModule);
+    if (radio) {
         port_.baud = radio->settings.baud;
-        const bool frames = radio->settings.mode != ModuleMode::Transparent;
         if (frames) ++connections_;
-        enter(frames ? LinkState::Running : LinkState::NoModule);
         const bool found = done == EventKind::RadioFound;
         raise(done, -1, found ? std::int64_t{radio->settings.baud} : std::int64_t{radio->settings.address},
               changes);
     } else {
-        // What the module is set to now is not known.
-        radio_.reset();
-        enter(LinkState::NoModule);
         raise(failed, -1, static_cast<std::int64_t>(radio.error().code), 0, radio.error().subject);
     }
     host_.answer(id, radio ? Result<void>() : fail(radio.error()));

@@ -111,8 +111,11 @@ class Port::Worker final : public QObject {
 
     void setBaud(Baud baud, const std::function<void(Result<void>)>& done) {
         if (port_ == nullptr) return done(failAt(Errc::Cancelled));
-        if (!port_->setBaudRate(static_cast<qint32>(baud))) return done(failAt(Errc::Io));
-        done({});
+        // A port that refuses a speed goes on at the one that it has; one that is gone says so by itself.
+        const QSignalBlocker quiet(port_.get());
+        if (port_->setBaudRate(static_cast<qint32>(baud))) return done({});
+        port_->clearError();
+        done(failAt(Errc::Io));
     }
 
     void taken(std::size_t bytes) {

@@ -13,6 +13,34 @@ namespace {
 
 using sim::ModuleMemory;
 
+/// A line whose port does not have every speed.
+class PickyLink final : public ByteLink {
+  public:
+    PickyLink(Scheduler& scheduler, ByteDeviceModel& module)
+        : scheduler_(scheduler), link_(scheduler, module, {"sim", "module", 9600, {}}) {}
+
+    void open(std::function<void(Result<ByteLinkInfo>)> done) override { link_.open(std::move(done)); }
+    void close(std::function<void()> done) override { link_.close(std::move(done)); }
+    Result<void> write(ByteView bytes) override { return link_.write(bytes); }
+    std::size_t waiting() const override { return link_.waiting(); }
+    void setBaud(Baud baud, std::function<void(Result<void>)> done) override {
+        if (baud != lacks) return link_.setBaud(baud, std::move(done));
+        scheduler_.post([done = std::move(done)] { done(fail(Errc::Io)); });
+    }
+    void setReceiver(std::function<void(ByteView)> receiver) override {
+        link_.setReceiver(std::move(receiver));
+    }
+    void setPresenceListener(std::function<void(bool)> listener) override {
+        link_.setPresenceListener(std::move(listener));
+    }
+
+    Baud lacks = 0;
+
+  private:
+    Scheduler& scheduler_;
+    PacedByteLink link_;
+};
+
 /// A module on a line, and what looks for it.
 struct Bench {
     explicit Bench(ModuleMemory memory) : module(scheduler, medium, std::move(memory), 0x0013A20012345678) {
@@ -36,7 +64,7 @@ struct Bench {
     FakeScheduler scheduler;
     sim::RadioMedium medium{scheduler, 1};
     sim::XbeeSim module;
-    PacedByteLink link{scheduler, module, {"sim", "module", 9600, {}}};
+    PickyLink link{scheduler, module};
     RadioLine line{scheduler,
                    link,
                    {[](const Received&) {},
@@ -136,6 +164,36 @@ TEST(RadioSetup, ThunderbotsRadios) {
     ASSERT_TRUE(applied) << name(applied.error().code);
     EXPECT_EQ(bench.module.memory().baudCode, 250000U);
     EXPECT_EQ(thunderbotsPreset(std::nullopt, 0, present).address, 0x7B40);
+}
+
+TEST(RadioSetup, ASpeedThatThePortDoesNotHaveIsPassedOver) {
+    Bench bench(memoryOf(1, 2400));
+    bench.link.lacks = 250000;
+    const auto found = bench.find();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->settings.baud, 2400U);
+}
+
+TEST(RadioSetup, AModuleIsNotSetToASpeedThatThePortDoesNotHave) {
+    Bench bench(memoryOf(1, 9600));
+    bench.link.lacks = 250000;
+    const RadioSettings present = bench.find()->settings;
+    const auto applied = bench.apply(present, thunderbotsPreset(std::nullopt, 0, present));
+    ASSERT_FALSE(applied);
+    EXPECT_EQ(applied.error().code, Errc::Unsupported);
+    EXPECT_EQ(applied.error().subject, "250000 baud");
+    EXPECT_EQ(bench.module.settings().address, 0x1234) << "nothing was said to it";
+    EXPECT_TRUE(bench.find());
+}
+
+/// Ten questions a time: every frame ID there is asks first at some time.
+TEST(RadioSetup, FindsAModuleInApiMode2WhateverTheFrameId) {
+    Bench bench(memoryOf(2, 9600));
+    for (int i = 0; i < 300; ++i) {
+        const TimePoint begin = bench.scheduler.now();
+        ASSERT_TRUE(bench.find()) << i;
+        EXPECT_LT(bench.scheduler.now() - begin, std::chrono::seconds(1)) << "at the first speed: " << i;
+    }
 }
 
 TEST(RadioSetup, WhereNothingAnswersItSaysSo) {
