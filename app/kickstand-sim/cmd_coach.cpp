@@ -14,7 +14,7 @@ using coach::sim::CoachSimOptions;
 
 /// Options of the simulation, under the names that they have in a sim:coach link as well.
 constexpr std::array kSimOptions{"--address", "--fresh", "--towrps", "--coaches",
-                                 "--loss",    "--seed",  "--fall"};
+                                 "--loss",    "--lossy", "--seed",   "--fall"};
 
 ctl::Expected<CoachSimOptions> readSimulation(const Invocation& invocation) {
     LinkUri uri{.scheme = "sim", .target = "coach", .options = {}};
@@ -66,6 +66,10 @@ constexpr std::array kOptions{
                QT_TRANSLATE_NOOP("kickstand_sim", "the teams of simulated COACHes; none without it")},
     OptionSpec{"--loss", "P",
                QT_TRANSLATE_NOOP("kickstand_sim", "which part of the radio packets is lost, 0 to 1")},
+    OptionSpec{
+        "--lossy", "LIST",
+        QT_TRANSLATE_NOOP("kickstand_sim",
+                          "boats with a bad radio, and which part of their packets is lost, as in 7:0.3")},
     kSeedOption,
     OptionSpec{
         "--fall", "SECONDS",

@@ -53,6 +53,7 @@ QJsonObject CoachSimulation::showUnit(int unit) const {
             {QStringLiteral("turn"), boat.velocity().turn},
             {QStringLiteral("morale"), boat.morale()},
             {QStringLiteral("mutiny"), boat.mutinies()},
+            {QStringLiteral("loss"), boat.loss()},
             {QStringLiteral("velocities"), static_cast<qint64>(boat.velocities())},
             {QStringLiteral("free_digital"), static_cast<qint64>(boat.freeDigital())},
             {QStringLiteral("free_analog_percent"), optional(boat.freeAnalog())}};

@@ -483,6 +483,14 @@
         <source>Restart</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 foreign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio loss of a boat</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CoachWords</name>
@@ -10775,6 +10783,10 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>values of more bytes than this come in several messages; 40 without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boats with a bad radio, and which part of their packets is lost, as in 7:0.3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

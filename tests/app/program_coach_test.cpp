@@ -122,6 +122,8 @@ TEST(ProgramCoach, SaysWhatIsWrong) {
     EXPECT_EQ(exitOf({"radio", "set", "--preset", "boat"}), 2);
     EXPECT_EQ(exitOf({"radio", "set", "--channel", "0x1B"}), 2);
     EXPECT_EQ(exitOf({"scan"}, "sim:coach?towrps=256"), 2);
+    EXPECT_EQ(exitOf({"scan"}, "sim:coach?lossy=4:0.3"), 2) << "there is no boat 4";
+    EXPECT_EQ(exitOf({"radio", "set", "--preset", "robot", "--robot", "16", "--radio", "0"}), 2);
     EXPECT_EQ(exitOf({"scan"}, "sim:thunderbots"), 2);
     EXPECT_EQ(exitOf({"scan"}, "sim:coach?fresh=1"), 1) << "no module in API mode";
     EXPECT_EQ(exitOf({"pair", "--for", "1"}, "sim:coach?address=0x1234"), 1) << "another radio";

@@ -272,6 +272,54 @@ TEST(CoachSession, EveryPacketOfTheGameMayBeLostOnce) {
     }
 }
 
+TEST(CoachSession, AZeroVelocityOfStopThatIsLostIsSaidAgainBeforeTheBoatsOwnTimer) {
+    CoachBench bench(twoSides());
+    ASSERT_TRUE(bench[1].give(StartTowrp{5}));
+    ASSERT_TRUE(bench[0].give(StartCoach{5, TeamColor::Red}));
+    ASSERT_TRUE(bench.within(5000, [&] { return bench[0].state().coach.state == CoachState::Paired; }));
+    ASSERT_TRUE(bench[0].give(Steer{{7, 0}}));
+    ASSERT_TRUE(bench.within(1000, [&] { return bench[1].state().towrp.velocity.forward == 7; }));
+    std::size_t zeros = 0;
+    bench.sim.medium().setThief([&](const sim::AirPacket& packet) {
+        const auto message = wire::decodeMessage(packet.payload);
+        return message == wire::Message{wire::Opcode::Velocity, 0} && zeros++ == 0;
+    });
+    bench[0].press();
+    EXPECT_TRUE(bench.within(500, [&] { return bench[1].state().towrp.velocity.isZero(); }));
+    EXPECT_EQ(zeros, 2U);
+    EXPECT_FALSE(bench[1].state().towrp.stoppedItself);
+}
+
+TEST(CoachSession, OnlyTheTeamWithABadRadioLosesPackets) {
+    sim::CoachSimOptions options = boats({5, 7});
+    options.lossy = {{7, 0.3}};
+    CoachBench bench(options);
+    const auto lostWith = [&](Team team) {
+        EXPECT_TRUE(bench[0].give(StartCoach{5, TeamColor::Red}));
+        EXPECT_TRUE(bench.within(6000, [&] { return bench[0].state().coach.state == CoachState::Paired; }));
+        if (team != 5) {
+            EXPECT_TRUE(bench[0].give(Jettison{}));
+            EXPECT_TRUE(bench.within(20000, [&] {
+                if (bench[0].state().coach.state == CoachState::NotPaired)
+                    static_cast<void>(bench[0].give(Pair{team}));
+                return bench[0].state().coach.state == CoachState::Paired;
+            }));
+        }
+        const TrafficCounters before = bench[0].state().traffic;
+        bench.wait(60000);
+        const TrafficCounters after = bench[0].state().traffic;
+        EXPECT_TRUE(bench[0].give(EndRole{}));
+        bench.wait(6000);
+        EXPECT_GT(after.acknowledged - before.acknowledged, 100U);
+        return after.failed - before.failed;
+    };
+    EXPECT_EQ(lostWith(5), 0U);
+    EXPECT_GT(lostWith(7), 20U);
+    EXPECT_EQ(bench.sim.value("boat-loss", 7), 0.3);
+    ASSERT_TRUE(bench.sim.perform("boat-loss", 7, 0));
+    EXPECT_EQ(lostWith(7), 0U);
+}
+
 TEST(CoachSession, AFifthOfThePacketsMayBeLostForAnHour) {
     sim::CoachSimOptions options = twoSides();
     options.loss = 0.2;

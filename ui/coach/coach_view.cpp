@@ -126,6 +126,7 @@ QString CoachView::actionText(const SimAction& action) const {
         {"morale", QT_TRANSLATE_NOOP("CoachView", "Morale")},
         {"dead", QT_TRANSLATE_NOOP("CoachView", "Power")},
         {"loss", QT_TRANSLATE_NOOP("CoachView", "Radio loss")},
+        {"boat-loss", QT_TRANSLATE_NOOP("CoachView", "Radio loss of a boat")},
         {"plugged", QT_TRANSLATE_NOOP("CoachView", "USB plug")},
         {"restart", QT_TRANSLATE_NOOP("CoachView", "Radio module")}};
     const auto found = texts.find(action.name);

@@ -28,6 +28,8 @@ CoachSim::CoachSim(Scheduler& scheduler, const CoachSimOptions& options) : mediu
     for (const wire::Team team : options.boats)
         boats_.push_back(std::make_unique<TowrpSim>(scheduler, medium_, team, common.channel, common.pan,
                                                     CrewOptions{options.fall}));
+    for (const auto& [team, loss] : options.lossy)
+        boat(team)->setLoss(loss);
     for (const wire::Team team : options.rivals)
         rivals_.push_back(std::make_unique<RivalSim>(scheduler, medium_, team, common.channel, common.pan));
 }
@@ -42,6 +44,7 @@ TowrpSim* CoachSim::boat(int team) const {
 std::vector<SimAction> CoachSim::actions() const {
     return {{"morale", true, "morale", wire::kMutinyMorale, kTopMorale},
             {"dead", true, "0 or 1", 0, 1},
+            {"boat-loss", true, "probability", 0, 1},
             {"loss", false, "probability", 0, 1},
             {"plugged", false, "0 or 1", 0, 1},
             {"restart", false, "1", 1, 1}};
@@ -58,6 +61,8 @@ std::vector<int> CoachSim::units() const {
 Result<void> CoachSim::performOne(std::string_view action, TowrpSim& boat, double value) {
     if (action == "morale") {
         boat.setMorale(static_cast<int>(value));
+    } else if (action == "boat-loss") {
+        boat.setLoss(value);
     } else {
         boat.setOn(value < 0.5);
     }
@@ -103,6 +108,7 @@ std::optional<double> CoachSim::value(std::string_view action, int unit) const {
     if (one == nullptr) return std::nullopt;
     if (action == "morale") return one->morale();
     if (action == "dead") return one->isOn() ? 0 : 1;
+    if (action == "boat-loss") return one->loss();
     return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -16,19 +17,21 @@ struct CoachSimOptions {
     std::vector<std::uint16_t> modules{0xBC05};  ///< The addresses of the modules with a serial line.
     bool fresh = false;                          ///< Whether the modules are as they come from the factory.
     std::vector<wire::Team> boats{3, 5, 7};
-    std::vector<wire::Team> rivals;  ///< Simulated COACHes.
-    double loss = 0;                 ///< Of packets, 0 to 1.
+    std::vector<wire::Team> rivals;      ///< Simulated COACHes.
+    double loss = 0;                     ///< Of packets, 0 to 1.
+    std::map<wire::Team, double> lossy;  ///< Of the packets from and to these boats, besides.
     std::uint32_t seed = 1;
     Duration fall = std::chrono::seconds(5);  ///< How often a crew's morale falls; never where it is zero.
 };
 
 /// The options of a `sim:coach` URI: `address=0xBC05`, `fresh=1`, `towrps=3,5,7`, `coaches=4`, `loss=0.05`,
-/// `seed=1`, `fall=5` (seconds). Errors: UnknownName for another option, OutOfRange with the bounds,
-/// BadArgument with what was given. Any thread.
+/// `lossy=7:0.3` (with commas between several), `seed=1`, `fall=5` (seconds). Errors: UnknownName for another
+/// option, OutOfRange with the bounds, BadArgument with what was given. Any thread.
 Result<CoachSimOptions> parseSimOptions(const LinkUri& uri);
 
 /// Simulated radio modules with a serial line, and the boats and COACHes that they hear. What a hand can do:
-/// to a boat `morale`, `dead`; to all of it `loss`, `plugged`, `restart`. One thread, the scheduler's.
+/// to a boat `morale`, `dead`, `boat-loss`; to all of it `loss`, `plugged`, `restart`. One thread, the
+/// scheduler's.
 class CoachSim final : public SimControl {
   public:
     CoachSim(Scheduler& scheduler, const CoachSimOptions& options);

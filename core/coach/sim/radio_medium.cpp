@@ -18,6 +18,7 @@ struct RadioMedium::Flight {
     std::uint8_t channel = 0;
     std::uint16_t pan = 0;
     std::uint16_t destination = 0;
+    double loss = 0;  ///< The sender's own.
     std::vector<std::uint8_t> payload;
     std::function<void(xbee::TxOutcome)> done;
 };
@@ -37,8 +38,13 @@ bool RadioMedium::isThere(const RadioNode* node) const {
 void RadioMedium::send(RadioNode& from, std::uint16_t destination, ByteView payload,
                        std::function<void(xbee::TxOutcome)> done) {
     if (witness_) witness_({from.address(), destination, payload});
-    Flight flight{&from,          from.address(), from.channel(),
-                  from.pan(),     destination,    {payload.begin(), payload.end()},
+    Flight flight{&from,
+                  from.address(),
+                  from.channel(),
+                  from.pan(),
+                  destination,
+                  from.loss(),
+                  {payload.begin(), payload.end()},
                   std::move(done)};
     scheduler_.callAfter(kAirTime, [this, alive = std::weak_ptr<bool>(alive_), flight = std::move(flight)] {
         if (!alive.expired()) land(flight);
@@ -60,7 +66,8 @@ void RadioMedium::land(const Flight& flight) {
         if (node == flight.from || !isThere(node) || !node->listens()) continue;
         if (node->channel() != flight.channel || node->pan() != flight.pan) continue;
         if (!broadcast && node->address() != flight.destination) continue;
-        const bool lost = std::uniform_real_distribution<>(0, 1)(random_) < loss_;
+        const double arrives = (1 - loss_) * (1 - flight.loss) * (1 - node->loss());
+        const bool lost = std::uniform_real_distribution<>(0, 1)(random_) >= arrives;
         if (lost || stolen) continue;
         delivered = true;
         node->heard(flight.source, rssiBetween(flight.source, node->address()), broadcast, flight.payload);

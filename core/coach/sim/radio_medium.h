@@ -19,6 +19,8 @@ class RadioNode {
     virtual std::uint16_t pan() const = 0;
     /// Whether it is switched on.
     virtual bool listens() const = 0;
+    /// The probability, 0 to 1, that a packet from or to it is lost, besides what the medium loses.
+    virtual double loss() const { return 0; }
     /// A packet came; the bytes are valid during the call.
     virtual void heard(std::uint16_t source, int rssi_dBm, bool broadcast, ByteView payload) = 0;
 };

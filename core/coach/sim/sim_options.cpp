@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -60,6 +61,24 @@ Result<std::vector<Number>> readList(const std::string& option, std::string_view
     return numbers;
 }
 
+/// TEAM:PROBABILITY, with commas between them.
+Result<std::map<wire::Team, double>> readLossy(const std::string& option, std::string_view text) {
+    std::map<wire::Team, double> lossy;
+    while (true) {
+        const std::string_view one = text.substr(0, text.find(','));
+        const std::size_t colon = one.find(':');
+        if (colon == std::string_view::npos) return fail(Errc::BadArgument, option, std::string(one));
+        const auto team = readWhole(option, one.substr(0, colon), 255);
+        if (!team) return fail(team.error());
+        const auto loss = readNumber(option, std::string(one.substr(colon + 1)), 1);
+        if (!loss) return fail(loss.error());
+        if (!lossy.emplace(static_cast<wire::Team>(*team), *loss).second)
+            return fail(Errc::BadArgument, option, std::string(one));
+        if (one.size() == text.size()) return lossy;
+        text.remove_prefix(one.size() + 1);
+    }
+}
+
 Result<void> readOption(CoachSimOptions& options, const std::string& option, const std::string& text) {
     const auto into = [](auto& place, auto result) -> Result<void> {
         if (!result) return fail(result.error());
@@ -69,6 +88,12 @@ Result<void> readOption(CoachSimOptions& options, const std::string& option, con
     if (option == "address") return into(options.modules, readList<std::uint16_t>(option, text, 0xFFFF));
     if (option == "towrps") return into(options.boats, readList<wire::Team>(option, text, 255));
     if (option == "coaches") return into(options.rivals, readList<wire::Team>(option, text, 255));
+    if (option == "lossy") {
+        auto lossy = readLossy(option, text);
+        if (!lossy) return fail(lossy.error());
+        options.lossy = std::move(*lossy);
+        return {};
+    }
     if (option == "loss") return into(options.loss, readNumber(option, text, 1));
     if (option == "seed") return into(options.seed, readWhole(option, text, 0xFFFFFFFF));
     if (option == "fresh") return into(options.fresh, readWhole(option, text, 1));
@@ -78,7 +103,7 @@ Result<void> readOption(CoachSimOptions& options, const std::string& option, con
         options.fall = fromSeconds(fall_s);
         return read;
     }
-    return fail(Errc::UnknownName, option, "address, fresh, towrps, coaches, loss, seed, fall");
+    return fail(Errc::UnknownName, option, "address, fresh, towrps, coaches, loss, lossy, seed, fall");
 }
 
 }  // namespace
@@ -89,6 +114,10 @@ Result<CoachSimOptions> parseSimOptions(const LinkUri& uri) {
         if (auto read = readOption(options, option, text); !read) return fail(read.error());
     }
     if (options.modules.empty()) return fail(Errc::BadArgument, "address", "");
+    for (const auto& [team, loss] : options.lossy) {
+        if (std::find(options.boats.begin(), options.boats.end(), team) == options.boats.end())
+            return fail(Errc::BadArgument, "lossy", std::to_string(int{team}));
+    }
     return options;
 }
 

@@ -33,6 +33,7 @@ class SimulatedSide : public RadioNode {
     std::uint8_t channel() const override { return channel_; }
     std::uint16_t pan() const override { return pan_; }
     bool listens() const override { return on_; }
+    double loss() const override { return loss_; }
     void heard(std::uint16_t source, int, bool, ByteView payload) override {
         if (const auto message = wire::decodeMessage(payload)) came(source, *message);
     }
@@ -43,6 +44,8 @@ class SimulatedSide : public RadioNode {
         on_ = on;
     }
     bool isOn() const { return on_; }
+    /// How bad its radio is: 0 to 1.
+    void setLoss(double probability) { loss_ = probability; }
 
   protected:
     /// A message came.
@@ -75,6 +78,7 @@ class SimulatedSide : public RadioNode {
     const std::uint8_t channel_;
     const std::uint16_t pan_;
     bool on_ = true;
+    double loss_ = 0;
     bool everSent_ = false;
     TimePoint lastSent_{};
     TimerId timer_ = 0;
