@@ -26,6 +26,8 @@ constexpr Duration kSnapshotFollows = milliseconds(30);
 constexpr Duration kBrakeLimit = milliseconds(500);
 /// Over Bluetooth a Stop is sent up to five times, once a second.
 constexpr Duration kStopPlanLimit = milliseconds(6500);
+/// A zero velocity is repeated every 0.2 s until the boat answers, which has stopped by itself by then.
+constexpr Duration kStopBoatLimit = milliseconds(2000);
 
 QString list(const std::vector<FoundDevice>& devices) {
     QStringList links;
@@ -52,12 +54,13 @@ bool isAtRest(const thunderbots::Snapshot& state, TimePoint since) {
 bool isAtRest(const motionplan::Snapshot& state, TimePoint since) {
     return state.stopConfirmedAt >= since && !state.active();
 }
-/// Whether no boat is paired, or the one that is has been told to stop. Of a line that was lost nobody knows:
-/// the boat that was driven over it was told nothing.
+/// Whether the boat that was driven, where there was one, has answered a zero velocity. Nobody knows it of
+/// one that fell silent, or when the line was lost: such a boat may have been told nothing.
 bool isAtRest(const coach::Snapshot& state, TimePoint since) {
     const coach::CoachView& view = state.coach;
-    if (view.state != coach::CoachState::Paired) return state.link == coach::LinkState::Running;
-    return view.sent && view.sent->isZero() && view.sentAt >= since;
+    const bool stands = view.answered && view.answered->isZero();
+    if (view.state == coach::CoachState::Paired) return stands && view.answeredAt >= since;
+    return state.link == coach::LinkState::Running && (stands || !view.sent);
 }
 
 /// Whether every device has been told to stop since then.
@@ -290,8 +293,9 @@ bool SessionRunner::finish() {
 
 Duration SessionRunner::brakeLimit() const {
     const SessionSnapshot* const current = session();
-    const bool plans = current != nullptr && std::holds_alternative<motionplan::Snapshot>(current->system);
-    return plans ? kStopPlanLimit : kBrakeLimit;
+    if (current == nullptr) return kBrakeLimit;
+    if (std::holds_alternative<motionplan::Snapshot>(current->system)) return kStopPlanLimit;
+    return std::holds_alternative<coach::Snapshot>(current->system) ? kStopBoatLimit : kBrakeLimit;
 }
 
 void SessionRunner::leave() {

@@ -15,6 +15,9 @@ constexpr Duration kReplySpan = std::chrono::milliseconds(200);
 constexpr Duration kResultSpan = std::chrono::nanoseconds(1'000'000'000 / 3);
 /// A velocity that has waited so long goes before free commands.
 constexpr Duration kVelocityPatience = std::chrono::milliseconds(600);
+/// So long after the last one it goes before everything but STOP: one slot later the second that the boat
+/// waits would be nearly over.
+constexpr Duration kVelocityDeadline = std::chrono::milliseconds(700);
 constexpr std::size_t kAssertionRepeats = 5;
 
 }  // namespace
@@ -82,6 +85,10 @@ void CoachSide::expired(TimerKind kind) {
             break;
         case TimerKind::MoraleReply:
             ++counters_.resent;
+            answered_.reset();
+            // What was sent before the last velocity is answered by now, or never.
+            openReplies_ = 1;
+            strayReplies_ = 0;
             wantVelocity();
             return;
         case TimerKind::Velocity:
@@ -115,14 +122,22 @@ bool CoachSide::velocityIsOverdue() const {
     return velocityWaitsSince_ && scheduler_.now() - *velocityWaitsSince_ >= kVelocityPatience;
 }
 
+bool CoachSide::velocityIsLate() const {
+    return state_ == CoachState::Paired && scheduler_.now() - sentAt_ >= kVelocityDeadline;
+}
+
 /// What goes before free commands and velocity.
 bool CoachSide::sendUrgent() {
     if (stopFor_) {
         const Team boat = *std::exchange(stopFor_, std::nullopt);
         sendVelocity(boat, {});
         tell(EventKind::Stopped, boat);
+    } else if (velocityIsLate()) {
+        sendVelocity(*boat_, steered());
     } else if (std::exchange(suppressWaits_, false)) {
         send(*boat_, Opcode::SuppressMutiny, 0);
+        ++openReplies_;
+        ++strayReplies_;
         deadlines_.start(TimerKind::SuppressReply, kReplySpan);
         tell(EventKind::SuppressSent, *boat_);
     } else if (jettisonFor_) {
@@ -148,7 +163,7 @@ bool CoachSide::sendNext() {
         return true;
     }
     if (!velocityWaitsSince_) return false;
-    sendVelocity(*boat_, halted_ ? wire::Velocity() : wanted_);
+    sendVelocity(*boat_, steered());
     return true;
 }
 
@@ -162,7 +177,13 @@ void CoachSide::sendVelocity(Team boat, const wire::Velocity& velocity) {
     velocityWaitsSince_.reset();
     send(boat, Opcode::Velocity, wire::parameterOf(velocity));
     if (state_ != CoachState::Paired) return;
+    // What is only repeated stays answered until its answer is late.
+    if (sent_ != velocity) {
+        answered_.reset();
+        strayReplies_ = openReplies_;
+    }
     sent_ = velocity;
+    ++openReplies_;
     sentAt_ = scheduler_.now();
     deadlines_.start(TimerKind::Velocity, kPeriod);
     deadlines_.start(TimerKind::MoraleReply, kReplySpan);
@@ -234,7 +255,10 @@ void CoachSide::paired(Team boat) {
     boat_ = boat;
     wanted_ = {};
     sent_.reset();
+    sentAt_ = scheduler_.now();
     answered_.reset();
+    openReplies_ = 0;
+    strayReplies_ = 0;
     morale_ = 0;
     enter(CoachState::Paired);
     deadlines_.start(TimerKind::Silence, kPairedSilence);
@@ -268,9 +292,7 @@ void CoachSide::unpair(Unpairing why) {
 void CoachSide::moraleCame(const Received& message) {
     heard(message);
     morale_ = static_cast<std::int8_t>(message.message.parameter);
-    if (sent_) answered_ = sent_;
-    answeredAt_ = scheduler_.now();
-    deadlines_.stop(TimerKind::MoraleReply);
+    replyCame();
     deadlines_.start(TimerKind::Silence, kPairedSilence);
     if (*morale_ == wire::kMutinyMorale) {
         mutinyNoticed();
@@ -281,6 +303,20 @@ void CoachSide::moraleCame(const Received& message) {
         // Asked for without a mutiny that we knew of: this is its answer.
         endMutiny();
     }
+}
+
+/// An Update Morale does not say what it answers. While one may come late that answers an earlier velocity,
+/// or a Suppress Mutiny, the last velocity is repeated: a zero that was lost would pass for heard.
+void CoachSide::replyCame() {
+    if (openReplies_ > 0) --openReplies_;
+    if (strayReplies_ > 0) {
+        --strayReplies_;
+        return;
+    }
+    if (!sent_) return;
+    answered_ = sent_;
+    answeredAt_ = scheduler_.now();
+    deadlines_.stop(TimerKind::MoraleReply);
 }
 
 void CoachSide::mutinyNoticed() {
@@ -318,7 +354,7 @@ Result<void> CoachSide::pair(Team boat) {
     if (found == boats_.end() || scheduler_.now() - found->heard > kPairedSilence) {
         Error error;
         error.code = Errc::RobotNotAlive;
-        error.robot = boat;
+        error.got = boat;
         return fail(std::move(error));
     }
     boat_ = boat;
@@ -399,6 +435,9 @@ Result<void> CoachSide::jettison() {
     slots_.want();
     tell(EventKind::Jettisoned, boat);
     unpair(Unpairing::Jettison);
+    // A boat that is free stands, and answers nothing that it was told before.
+    sent_.reset();
+    answered_.reset();
     return {};
 }
 

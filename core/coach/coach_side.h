@@ -26,7 +26,7 @@ class CoachSide {
     void received(const Received& message);
 
     /// Asks a boat that is available to obey. Errors: BadArgument unless it is not paired; RobotNotAlive
-    /// (with the team as `robot`) where it was not heard to be available within kPairedSilence.
+    /// (with the team as `got`) where it was not heard to be available within kPairedSilence.
     Result<void> pair(Team boat);
     /// Where to go. Errors: NotPaired; OutOfRange; StopLatched where it is not zero.
     Result<void> steer(const wire::Velocity& velocity);
@@ -64,10 +64,13 @@ class CoachSide {
     void send(Team boat, wire::Opcode opcode, std::uint8_t parameter);
     void sendAssertion();
     bool velocityIsOverdue() const;
+    bool velocityIsLate() const;
+    wire::Velocity steered() const { return halted_ ? wire::Velocity() : wanted_; }
     void wantVelocity();
     HeardBoat& heard(const Received& message);
     void result(const Received& message);
     void moraleCame(const Received& message);
+    void replyCame();
     void mutinyNoticed();
     void endMutiny();
     void paired(Team boat);
@@ -103,6 +106,8 @@ class CoachSide {
     std::optional<wire::Velocity> answered_;
     TimePoint sentAt_{};
     TimePoint answeredAt_{};
+    std::size_t openReplies_ = 0;   ///< So many Update Morales may still come.
+    std::size_t strayReplies_ = 0;  ///< So many of them answer something before the last velocity.
     std::optional<int> morale_;
     std::optional<MutinyView> mutiny_;
     SideCounters counters_;

@@ -104,9 +104,10 @@ struct CoachView {
     std::optional<Team> boat{};      ///< Paired with it, or asked.
     std::vector<HeardBoat> boats{};  ///< By team.
     wire::Velocity wanted{};
-    std::optional<wire::Velocity> sent{};      ///< The last one.
-    std::optional<wire::Velocity> answered{};  ///< The last one that an Update Morale came after.
-    TimePoint sentAt{};
+    std::optional<wire::Velocity> sent{};  ///< The last one.
+    /// The same, once an Update Morale has come after it, and until one is late.
+    std::optional<wire::Velocity> answered{};
+    TimePoint sentAt{};  ///< Before the first one: when they were paired.
     TimePoint answeredAt{};
     std::optional<int> morale{};
     std::optional<MutinyView> mutiny{};

@@ -1,6 +1,7 @@
 // coach commands from outside: over simulated radios in the same process, and two programs that talk through
 // pseudo-terminals.
 
+#include <csignal>
 #include <cstdlib>
 #include <optional>
 
@@ -151,6 +152,40 @@ TEST(ProgramCoach, ALineThatIsLostLeavesTheBoatToItsOwnTimer) {
     for (const std::string& file : {console, control})
         ::unlink(file.c_str());
     ::rmdir(folder.c_str());
+}
+
+/// Drives a boat that falls silent meanwhile.
+Ended driveABoatThatFallsSilent(bool interrupted) {
+    std::string folder = testing::TempDir() + "kscoachXXXXXX";
+    EXPECT_NE(::mkdtemp(folder.data()), nullptr);
+    const std::string console = folder + "/console";
+    const std::string control = folder + "/control.sock";
+    Ended ended;
+    {
+        Program simulator({"coach", "--pty", console, "--towrps", "5", "--control", control, "--json"}, kSim);
+        EXPECT_TRUE(simulator.waitFor("\n"));
+        Program drive({"--link", "serial:" + console + "?protocol=coach", "--json", "coach", "drive",
+                       "--forward", "100", "--for", "60"});
+        EXPECT_TRUE(drive.waitFor("\"driving\""));
+        Program deafen({"ctl", "--control", control, "boat-loss", "5", "1"}, kSim);
+        EXPECT_EQ(deafen.end().exitCode, 0);
+        if (interrupted) drive.signal(SIGINT);
+        ended = drive.end();
+    }
+    for (const std::string& file : {console, control})
+        ::unlink(file.c_str());
+    ::rmdir(folder.c_str());
+    return ended;
+}
+
+/// A zero velocity that no boat answers is not told as a boat that stands.
+TEST(ProgramCoach, ABoatThatIsNotHeardAnyMoreIsNotSaidToHaveStopped) {
+    for (const bool interrupted : {true, false}) {
+        const Ended ended = driveABoatThatFallsSilent(interrupted);
+        EXPECT_NE(ended.exitCode, 0) << ended.out;
+        EXPECT_FALSE(endOf(ended)[QStringLiteral("stopped")].toBool(true)) << ended.out;
+        EXPECT_EQ(hasEvent(ended, "unpaired"), !interrupted) << ended.out;
+    }
 }
 
 /// Two radio modules in one simulator, each on a pseudo-terminal.

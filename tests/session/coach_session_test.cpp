@@ -242,6 +242,13 @@ TEST(CoachSession, ARivalTakesThisProgramsBoat) {
     static_cast<void>(console.give(Steer{{5, -5}}));
     run("velocity", 1000, [&] { return boat.state().towrp.velocity == wire::Velocity{5, -5}; });
     run("morale", 1000, [&] { return console.state().coach.answered == wire::Velocity{5, -5}; });
+    console.press();
+    run("stop", 500, [&] { return boat.state().towrp.velocity.isZero(); });
+    run("stop answered", 1000, [&] { return console.state().coach.answered == wire::Velocity{}; });
+    console.stop().rearm();
+    bench.wait(20);
+    static_cast<void>(console.give(Steer{{1, 0}}));
+    run("velocity after stop", 1000, [&] { return boat.state().towrp.velocity == wire::Velocity{1, 0}; });
     static_cast<void>(boat.give(SetMorale{-10}));
     run("mutiny", 1000, [&] { return console.state().coach.mutiny.has_value(); });
     static_cast<void>(console.give(Suppress{}));

@@ -198,6 +198,56 @@ TEST(CoachSide, PairedItHearsItsOwnBoatAlone) {
     EXPECT_EQ(coach.side.view().counters.outOfPlace, 1U);
 }
 
+TEST(CoachSide, AVelocityIsAnsweredUntilAnAnswerIsLate) {
+    Coach coach;
+    coach.pairAtStart();
+    const wire::Velocity ahead{7, 0};
+    const auto isAnswered = [&coach] { return coach.side.view().answered == coach.side.view().sent; };
+    coach.live(1000);
+    ASSERT_TRUE(coach.side.steer(ahead));
+    coach.wait(0);
+    EXPECT_EQ(coach.side.view().sent, ahead);
+    EXPECT_FALSE(isAnswered());
+    coach.hears(boat(kOwn), Opcode::UpdateMorale, 0);
+    EXPECT_TRUE(isAnswered());
+    coach.wait(499);
+    EXPECT_TRUE(isAnswered());
+    // It is repeated now, and the boat is silent from here on.
+    coach.wait(201);
+    for (int i = 0; i < 40; ++i) {
+        ASSERT_EQ(coach.side.view().sent, ahead);
+        EXPECT_FALSE(isAnswered()) << i;
+        coach.wait(100);
+    }
+    coach.hears(boat(kOwn), Opcode::UpdateMorale, 0);
+    EXPECT_TRUE(isAnswered());
+    // There and back again before any answer: the one from before tells nothing of it.
+    ASSERT_TRUE(coach.side.steer({}));
+    coach.wait(200);
+    ASSERT_TRUE(coach.side.steer(ahead));
+    coach.wait(200);
+    ASSERT_EQ(coach.side.view().sent, ahead);
+    EXPECT_FALSE(isAnswered());
+}
+
+TEST(CoachSide, ALateAnswerToAnEarlierVelocityIsNoneToTheLast) {
+    Coach coach;
+    coach.pairAtStart();
+    coach.live(1000);
+    ASSERT_TRUE(coach.side.steer({7, 0}));
+    coach.wait(150);
+    coach.side.halt();
+    coach.wait(50);
+    ASSERT_EQ(coach.side.view().sent, wire::Velocity{});
+    coach.hears(boat(kOwn), Opcode::UpdateMorale, 0);
+    EXPECT_FALSE(coach.side.view().answered) << "that was for full ahead";
+    const std::size_t before = coach.sent.size();
+    coach.wait(200);
+    ASSERT_EQ(coach.sent.size(), before + 1) << "zero is said again";
+    coach.hears(boat(kOwn), Opcode::UpdateMorale, 0);
+    EXPECT_EQ(coach.side.view().answered, wire::Velocity{});
+}
+
 // Mutiny.
 
 TEST(CoachSide, SuppressIsRepeatedUntilTheMoraleSaysItIsOver) {
@@ -206,8 +256,8 @@ TEST(CoachSide, SuppressIsRepeatedUntilTheMoraleSaysItIsOver) {
     coach.hears(boat(kOwn), Opcode::MutinyInProgress);
     ASSERT_TRUE(coach.side.view().mutiny);
     ASSERT_TRUE(coach.side.suppress());
-    coach.wait(1000);
-    EXPECT_GE(coach.count(Opcode::SuppressMutiny), 4U);
+    coach.wait(650);
+    EXPECT_EQ(coach.count(Opcode::SuppressMutiny), 3U);
     EXPECT_EQ(coach.lastGap_ms(Opcode::SuppressMutiny), 200);
     coach.hears(boat(kOwn), Opcode::UpdateMorale, -10);
     EXPECT_TRUE(coach.side.view().mutiny) << "still a mutiny";
@@ -287,19 +337,38 @@ TEST(CoachSide, FreeCommandsGoOnceEach) {
 TEST(CoachSide, VelocityThatHasWaitedSixTenthsGoesBeforeFreeCommands) {
     Coach coach;
     coach.pairAtStart();
-    coach.live(1000);
+    coach.live(1150);
+    ASSERT_TRUE(coach.side.steer({1, 0}));
+    coach.wait(0);
+    ASSERT_EQ(coach.sent.back().message.opcode, Opcode::Velocity);
     const std::size_t before = coach.sent.size();
     for (int i = 0; i < 8; ++i)
         ASSERT_TRUE(coach.side.freeDigital());
-    ASSERT_TRUE(coach.side.steer({1, 0}));
+    ASSERT_TRUE(coach.side.steer({2, 0}));
     coach.live(1400);
     std::vector<Opcode> order;
     for (std::size_t i = before; i < coach.sent.size(); ++i)
         order.push_back(coach.sent[i].message.opcode);
     ASSERT_GE(order.size(), 6U);
     const auto velocity = std::find(order.begin(), order.end(), Opcode::Velocity);
-    EXPECT_GE(velocity - order.begin(), 3) << "free commands first";
-    EXPECT_LE(velocity - order.begin(), 4) << "but not for ever";
+    EXPECT_EQ(velocity - order.begin(), 2) << "free commands first, but not for ever";
+}
+
+TEST(CoachSide, AMutinyThatCannotBeSuppressedDoesNotKeepVelocityBack) {
+    Coach coach;
+    coach.pairAtStart();
+    coach.hears(boat(kOwn), Opcode::MutinyInProgress);
+    ASSERT_TRUE(coach.side.suppress());
+    TimePoint last = coach.scheduler.now();
+    for (int i = 0; i < 290; ++i) {
+        const std::size_t before = coach.sent.size();
+        coach.wait(10);
+        if (coach.sent.size() == before || coach.sent.back().message.opcode != Opcode::Velocity) continue;
+        EXPECT_LT(coach.sent.back().time - last, std::chrono::seconds(1));
+        last = coach.sent.back().time;
+    }
+    EXPECT_LT(coach.scheduler.now() - last, std::chrono::seconds(1));
+    EXPECT_GE(coach.count(Opcode::SuppressMutiny), 8U);
 }
 
 TEST(CoachSide, JettisonIsNotPairedAtOnce) {
@@ -309,6 +378,7 @@ TEST(CoachSide, JettisonIsNotPairedAtOnce) {
     ASSERT_TRUE(coach.side.freeDigital());
     ASSERT_TRUE(coach.side.jettison());
     EXPECT_EQ(coach.side.state(), CoachState::NotPaired);
+    EXPECT_FALSE(coach.side.view().sent);
     const std::size_t before = coach.sent.size();
     coach.wait(3000);
     ASSERT_EQ(coach.sent.size(), before + 1);

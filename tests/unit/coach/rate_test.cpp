@@ -75,6 +75,39 @@ TEST(Rate, ACoachNeverSendsTwoPacketsWithinAFifthOfASecond) {
     expectRate(rig, times);
 }
 
+/// Whatever is asked for besides, and whatever is lost, as long as the boat is heard now and then.
+TEST(Rate, APairedCoachNeverLetsASecondPassWithoutVelocity) {
+    SideRig<CoachSide> rig;
+    std::mt19937 random(5);
+    rig.side.begin(kOwn, wire::TeamColor::Red);
+    rig.wait(1);
+    rig.hears(boat(kOwn), Opcode::AssertionResult, kOwn);
+    ASSERT_EQ(rig.side.state(), CoachState::Paired);
+    TimePoint last = rig.scheduler.now();
+    Duration longest{};
+    for (int step = 0; step < kSteps; ++step) {
+        // Times when free commands come as fast as they can, and times when they come now and then.
+        const bool flood = step / 1000 % 2 == 0;
+        if (flood || random() % 10 == 0) static_cast<void>(rig.side.freeDigital());
+        if (random() % 8 == 0) static_cast<void>(rig.side.steer({static_cast<int>(random() % 15) - 7, 0}));
+        if (random() % 50 == 0) rig.hears(boat(kOwn), Opcode::MutinyInProgress);
+        if (random() % 40 == 0) static_cast<void>(rig.side.suppress());
+        if (random() % 300 == 0) random() % 2 == 0 ? rig.side.halt() : rig.side.release();
+        if (step % 40 == 0) rig.hears(boat(kOwn), Opcode::UpdateMorale, 0);
+        rig.wait(static_cast<int>(random() % 120));
+        for (const SentPacket& packet : rig.sent) {
+            if (packet.message.opcode != Opcode::Velocity) continue;
+            longest = std::max(longest, packet.time - last);
+            last = packet.time;
+        }
+        rig.sent.clear();
+        rig.events.clear();
+        ASSERT_EQ(rig.side.state(), CoachState::Paired) << step;
+    }
+    EXPECT_LE(longest, std::chrono::milliseconds(900));
+    EXPECT_GT(longest, std::chrono::milliseconds(600)) << "there was something to hold it back";
+}
+
 TEST(Rate, ABoatNeverSendsTwoPacketsWithinAFifthOfASecond) {
     SideRig<TowrpSide> rig;
     std::mt19937 random(4);
