@@ -15,12 +15,14 @@ constexpr Duration kHeardLimit = std::chrono::seconds(3);
 /// Six assertions a third of a second apart.
 constexpr Duration kAssertLimit = std::chrono::seconds(4);
 
-tl::unexpected<Failure> refusedBy(int boat, Errc code) {
-    Error error;
-    error.code = code;
-    error.subject = "TOWRP";
-    error.robot = boat;
-    return failed(error);
+tl::unexpected<Failure> notHeard(int boat) {
+    return failed({.code = Errc::RobotNotAlive, .got = boat});
+}
+tl::unexpected<Failure> silent(int boat) {
+    return failed({.code = Errc::TimedOut, .subject = "TOWRP " + std::to_string(boat)});
+}
+tl::unexpected<Failure> obeysAnother(int boat) {
+    return failed({.code = Errc::PairedElsewhere, .robot = boat});
 }
 
 Outcome pairAfterStartup(SessionRunner& runner, coach::wire::Team boat) {
@@ -31,7 +33,7 @@ Outcome pairAfterStartup(SessionRunner& runner, coach::wire::Team boat) {
     };
     const auto heard = runner.waitUntil(available, kHeardLimit);
     if (!heard) return tl::unexpected(heard.error());
-    if (!*heard) return refusedBy(boat, Errc::RobotNotAlive);
+    if (!*heard) return notHeard(boat);
     if (auto asked = runner.perform(coach::Pair{boat}); !asked) return asked;
     const auto ended = runner.waitUntil(
         [&runner] {
@@ -41,7 +43,7 @@ Outcome pairAfterStartup(SessionRunner& runner, coach::wire::Team boat) {
         kAssertLimit);
     if (!ended) return tl::unexpected(ended.error());
     if (radioOf(runner).coach.state == CoachState::Paired) return {};
-    return refusedBy(boat, available() ? Errc::TimedOut : Errc::PairedElsewhere);
+    return available() ? silent(boat) : obeysAnother(boat);
 }
 
 }  // namespace

@@ -63,6 +63,10 @@
         <source>3 s without Suppress Mutiny, or Jettison</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the same</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Check</name>
@@ -2191,6 +2195,14 @@
     </message>
     <message>
         <source>Look at the robot: if it stands, stop the plan to be sure, and execute it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOWRP {got} is not heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch it on, and check that both radio modules have the same channel and network.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6403,6 +6415,14 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>%1. A boat that was driven stops by its own timer, within a second of its last velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crew has taken the boat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The boat does not answer.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -510,6 +510,49 @@ TEST_F(CoachWindow, AFreshModuleIsFoundSetAndReadBack) {
     EXPECT_EQ(find<QSpinBox>("coachTeam")->value(), 7);
 }
 
+TEST_F(CoachWindow, ABoatThatIsSilentIsNotShownAsAnswering) {
+    pair();
+    ASSERT_TRUE(waitFor([this] { return text("coachTold").endsWith(QStringLiteral(", answered")); }))
+        << text("coachTold").toStdString();
+    bench->submit(SimPerform{"boat-loss", 5, 1});
+    bool lied = false;
+    EXPECT_TRUE(waitFor([&] {
+        const Duration silence = state()->time - state()->coach.answeredAt;
+        const bool says = text("coachTold").endsWith(QStringLiteral(", answered")) ||
+                          text("coachMutiny").contains(QStringLiteral("obeys"));
+        lied = lied || (says && silence > std::chrono::milliseconds(1500));
+        return state()->coach.state == CoachState::NotPaired;
+    }));
+    EXPECT_FALSE(lied);
+}
+
+TEST_F(CoachWindow, ACrewThatWasNotQuelledIsNotSaidToObey) {
+    pair();
+    bench->submit(SimPerform{"morale", 5, -10});
+    bool lied = false;
+    EXPECT_TRUE(waitFor([&] {
+        const bool obeys = text("coachMutiny").contains(QStringLiteral("obeys"));
+        lied = lied || (obeys && state()->coach.morale == -10 && !state()->coach.mutiny);
+        return state()->coach.state == CoachState::NotPaired;
+    }));
+    EXPECT_FALSE(lied);
+}
+
+TEST_F(CoachWindow, APresetForARobotThatThereIsNotIsRefused) {
+    connectTo("sim:coach");
+    ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("radioFind")->isEnabled(); }));
+    const int address = find<QSpinBox>("radioAddress")->value();
+    find<QComboBox>("radioPreset")->setCurrentIndex(4);
+    find<QSpinBox>("radioNumber")->setValue(16);
+    click("radioUse");
+    EXPECT_EQ(find<QSpinBox>("radioAddress")->value(), address);
+    EXPECT_TRUE(text("radioNotice").contains(QStringLiteral("0 to 15"))) << text("radioNotice").toStdString();
+    find<QSpinBox>("radioNumber")->setValue(15);
+    click("radioUse");
+    EXPECT_EQ(find<QSpinBox>("radioAddress")->value(), 0x7B2F);
+    EXPECT_TRUE(text("radioNotice").isEmpty());
+}
+
 TEST_F(CoachWindow, EveryControlHasANameOfItsOwn) {
     connectTo("sim:coach");
     std::set<QString> names;

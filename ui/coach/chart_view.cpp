@@ -147,7 +147,7 @@ void ChartView::drawTimers(QPainter& painter) const {
     const Tokens& tokens = tokensOf(palette());
     const double step = (width() - kBoxWidth - 2) / columnsOf(chart_);
     const double left = 1 + chart_.timersColumn * step;
-    const double room = std::min(kTimerWidth, width() - left - 1);
+    const double room = std::min(kTimerWidth, (chart_.timersEnd - chart_.timersColumn) * step);
     const std::size_t shown = std::min(chart_.timers.size(), kMostTimers);
     painter.setFont(textFont(metrics::kSmallTextSize));
     for (std::size_t i = 0; i < shown; ++i) {

@@ -30,7 +30,9 @@ struct Chart {
     std::vector<ChartState> states;
     std::vector<ChartArrow> arrows;
     std::vector<ChartTimer> timers;
-    double timersColumn = 0;  ///< Where the timers stand in the lower row: where no arrow is.
+    /// From where to where, in columns, the timers stand in the lower row: where no arrow is.
+    double timersColumn = 0;
+    double timersEnd = 1;
 };
 
 /// A state chart of two rows: what the states are, the one that it is in lit, what leads from one to another,

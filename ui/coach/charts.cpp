@@ -48,9 +48,11 @@ Chart coachChart(const Snapshot& snapshot) {
         {kPaired, kMutiny, Words::tr("mutiny, or morale −10")},
         {kMutiny, kPaired, Words::tr("morale above −10, or 3 s")},
         {kPaired, kNotPaired, Words::tr("5 s without Update Morale, or Jettison"), true},
+        {kMutiny, kNotPaired, Words::tr("the same"), true},
     };
     chart.timers = timersOf(view.timers, snapshot.time);
-    chart.timersColumn = 2.4;
+    chart.timersColumn = 2.15;
+    chart.timersEnd = 3.05;
     return chart;
 }
 
@@ -74,6 +76,7 @@ Chart towrpChart(const Snapshot& snapshot) {
     };
     chart.timers = timersOf(view.timers, snapshot.time);
     chart.timersColumn = 0.9;
+    chart.timersEnd = 2;
     return chart;
 }
 

@@ -44,6 +44,14 @@ QLabel* label(const char* name, int size, QWidget* parent) {
     return made;
 }
 
+/// Whether no Update Morale has come for so long that the boat stands by its own timer, if it heard nothing.
+bool isSilent(const Snapshot& snapshot) {
+    return std::ranges::any_of(snapshot.coach.timers, [&snapshot](const RunningTimer& timer) {
+        const TimePoint lastHeard = timer.due - timer.span;
+        return timer.kind == TimerKind::Silence && snapshot.time - lastHeard > kVelocitySpan;
+    });
+}
+
 QVBoxLayout* column() {
     auto* made = new QVBoxLayout;
     made->setSpacing(metrics::kGap);
@@ -399,7 +407,10 @@ void CoachPanel::showCrew(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < actionButtons_.size(); ++i)
         actionButtons_[i]->setEnabled(view.mutiny.has_value() && !view.mutiny->suppressed);
     if (!view.mutiny) {
-        mutiny_->setText(paired ? tr("The crew obeys.") : QString());
+        const QString crew = view.morale == wire::kMutinyMorale ? tr("The crew has taken the boat.")
+                             : isSilent(snapshot)               ? tr("The boat does not answer.")
+                                                                : tr("The crew obeys.");
+        mutiny_->setText(paired ? crew : QString());
         return;
     }
     const double left_s = seconds(view.mutiny->until - snapshot.time);

@@ -103,6 +103,8 @@ QStringList CoachView::facts(const SessionSnapshot& session) const {
     if (snapshot.traffic.failed > 0) facts << Words::tr("%1 not acknowledged").arg(snapshot.traffic.failed);
     if (snapshot.traffic.frames.damaged() > 0)
         facts << Words::tr("%1 damaged").arg(snapshot.traffic.frames.damaged());
+    if (const auto foreign = snapshot.coach.counters.foreign + snapshot.towrp.counters.foreign; foreign > 0)
+        facts << Words::tr("%1 foreign").arg(foreign);
     return facts;
 }
 

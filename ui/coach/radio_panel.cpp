@@ -21,6 +21,7 @@ using namespace coach;
 namespace {
 
 constexpr int kFieldWidth = 200;
+constexpr int kHighestRobot = 15;
 
 QString hex(unsigned value, int digits) {
     return QStringLiteral("0x%1").arg(value, digits, 16, QLatin1Char('0'));
@@ -170,7 +171,7 @@ void RadioPanel::showDraft(const RadioSettings& settings) {
 void RadioPanel::usePreset() {
     const RadioSettings present = draft();
     const int number = number_->value();
-    const int robot = number % 16;
+    notice_->clear();
     switch (preset_->currentIndex()) {
         case kCoachPreset:
             return showDraft(presetFor(wire::Role::Coach, static_cast<Team>(number), present));
@@ -180,7 +181,14 @@ void RadioPanel::usePreset() {
         case kDongle1:
             return showDraft(thunderbotsPreset(std::nullopt, preset_->currentIndex() - kDongle0, present));
         default:
-            return showDraft(thunderbotsPreset(robot, preset_->currentIndex() - kRobot0, present));
+            if (number <= kHighestRobot)
+                return showDraft(thunderbotsPreset(number, preset_->currentIndex() - kRobot0, present));
+            notice_->setText(describe(Error{.code = Errc::OutOfRange,
+                                            .subject = "robot",
+                                            .lowest = 0,
+                                            .highest = kHighestRobot,
+                                            .got = number})
+                                 .line());
     }
 }
 

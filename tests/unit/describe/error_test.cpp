@@ -151,6 +151,7 @@ TEST(DescribeError, NamesTheRobot) {
     EXPECT_EQ(whatOf(error), "The robot is not heard.");
     error.robot = 12;
     EXPECT_EQ(whatOf(error), "Robot 12 is not heard.");
+    EXPECT_EQ(whatOf({.code = Errc::RobotNotAlive, .got = 7}), "TOWRP 7 is not heard.");
 }
 
 TEST(DescribeError, TellsThePieceOfALinkThatCannotBeReadFromALinkThatIsNotTaken) {
