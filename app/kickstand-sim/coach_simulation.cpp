@@ -47,7 +47,8 @@ QJsonObject CoachSimulation::show() {
 
 QJsonObject CoachSimulation::showUnit(int unit) const {
     const coach::sim::TowrpSim& boat = *sim_.boat(unit);
-    return {{QStringLiteral("on"), boat.isOn()},
+    return {{QStringLiteral("team"), unit},
+            {QStringLiteral("on"), boat.isOn()},
             {QStringLiteral("coach"), optional(boat.coach())},
             {QStringLiteral("forward"), boat.velocity().forward},
             {QStringLiteral("turn"), boat.velocity().turn},

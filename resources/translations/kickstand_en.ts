@@ -9470,6 +9470,10 @@ steps not known</source>
         <source>changed; the module has %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>radio module found, not in API mode yet</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::RobotsPanel</name>

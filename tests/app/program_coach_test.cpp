@@ -169,6 +169,10 @@ Ended driveABoatThatFallsSilent(bool interrupted) {
         EXPECT_TRUE(drive.waitFor("\"driving\""));
         Program deafen({"ctl", "--control", control, "boat-loss", "5", "1"}, kSim);
         EXPECT_EQ(deafen.end().exitCode, 0);
+        const QJsonValue shown = run({"ctl", "--control", control, "--json", "show", "5"}, kSim)
+                                     .object()[QStringLiteral("teams")][0];
+        EXPECT_EQ(shown[QStringLiteral("team")], 5);
+        EXPECT_EQ(shown[QStringLiteral("loss")], 1);
         if (interrupted) drive.signal(SIGINT);
         ended = drive.end();
     }

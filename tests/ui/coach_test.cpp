@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSettings>
@@ -280,6 +281,19 @@ TEST_F(CoachWindow, ThePointerPullsTheHelmToALevel) {
     EXPECT_TRUE(helm->asked().isZero());
 }
 
+TEST_F(CoachWindow, TheHelmKeepsItsSizeWhateverIsToldBelowIt) {
+    pair();
+    auto* helm = find<ui::HelmPad>("coachHelm");
+    const auto widthBelow = [&](const char* words) {
+        find<QLabel>("coachTold")->setText(QLatin1String(words));
+        helm->parentWidget()->layout()->activate();
+        return helm->width();
+    };
+    const int width = widthBelow("Told: stop, answered");
+    EXPECT_EQ(widthBelow("Told: 100 % backward, 100 % counterclockwise, not answered yet"), width);
+    EXPECT_GT(width, 240) << "it is what everybody looks at";
+}
+
 TEST_F(CoachWindow, StopSendsZeroAndHoldsItUntilItIsReArmed) {
     pair();
     auto* helm = find<ui::HelmPad>("coachHelm");
@@ -372,6 +386,13 @@ TEST_F(CoachWindow, TheChartsShowOneStateLitAndTheTimersThatRun) {
         const auto leaves = [one](const ui::ChartArrow& arrow) { return arrow.from == one; };
         EXPECT_EQ(std::any_of(chart.arrows.begin(), chart.arrows.end(), leads), one != 0);
         EXPECT_TRUE(std::any_of(chart.arrows.begin(), chart.arrows.end(), leaves));
+    }
+    // Silence and Jettison end a mutiny as they end everything.
+    for (const char* from : {"paired", "mutiny (paired)"}) {
+        EXPECT_TRUE(std::any_of(chart.arrows.begin(), chart.arrows.end(), [&](const ui::ChartArrow& arrow) {
+            return chart.states[arrow.from].name == QLatin1String(from) &&
+                   chart.states[arrow.to].name == QStringLiteral("not paired");
+        })) << from;
     }
     click("coachMayJettison");
     click("coachJettison");

@@ -12,7 +12,7 @@ constexpr double kBoxWidth = 112;
 constexpr double kBoxHeight = 36;
 constexpr double kRowGap = 28;
 /// Between the lower row and the line of what goes below it.
-constexpr double kLane = 20;
+constexpr double kLane = 24;
 /// An arrow there and the one back stand so far from the middle.
 constexpr double kAside = 8;
 constexpr double kTip = 4;

@@ -45,8 +45,8 @@ class ChartView final : public QWidget {
     void show(Chart chart);
     const Chart& chart() const { return chart_; }
 
-    QSize sizeHint() const override { return {720, 144}; }
-    QSize minimumSizeHint() const override { return {560, 144}; }
+    QSize sizeHint() const override { return {720, 148}; }
+    QSize minimumSizeHint() const override { return {560, 148}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

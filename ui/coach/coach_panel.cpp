@@ -72,8 +72,10 @@ CoachPanel::CoachPanel(Bench& bench, MakePadSource makePads, QWidget* parent) : 
     chart_ = new ChartView(body_);
     chart_->setObjectName(QStringLiteral("coachChart"));
     grid->addWidget(chart_, 1, 0, 1, 3);
-    grid->setColumnStretch(0, 2);
-    grid->setColumnStretch(2, 2);
+    // Shares of all three: with the length of its text the helm would grow and shrink.
+    grid->setColumnStretch(0, 3);
+    grid->setColumnStretch(1, 2);
+    grid->setColumnStretch(2, 3);
     grid->setRowStretch(0, 1);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);

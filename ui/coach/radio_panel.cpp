@@ -234,8 +234,12 @@ void RadioPanel::refresh() {
             tr("%1. Find it: at every usual speed and in every mode.").arg(describe(snapshot->link)));
     } else {
         const RadioIdentity& identity = snapshot->radio->identity;
+        const RadioSettings& held = snapshot->radio->settings;
+        const QString found = held.mode == ModuleMode::Transparent
+                                  ? tr("radio module found, not in API mode yet")
+                                  : describe(snapshot->link);
         state_->setText(tr("%1, %2, serial number %3, firmware %4")
-                            .arg(describe(snapshot->link), describeAddress(snapshot->radio->settings.address))
+                            .arg(found, describeAddress(held.address))
                             .arg(identity.serial, 16, 16, QLatin1Char('0'))
                             .arg(identity.firmware, 4, 16, QLatin1Char('0')));
         if (read_ != snapshot->radio->settings) {
