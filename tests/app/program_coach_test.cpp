@@ -83,8 +83,9 @@ TEST(ProgramCoach, SetsUpTheRadioOfAThunderbotsDongleOverASerialPort) {
     std::string folder = testing::TempDir() + "kscoachXXXXXX";
     ASSERT_NE(::mkdtemp(folder.data()), nullptr);
     const std::string port = folder + "/radio";
+    const std::string control = folder + "/control.sock";
     {
-        Program simulator({"coach", "--pty", port, "--json"}, kSim);
+        Program simulator({"coach", "--pty", port, "--control", control, "--json"}, kSim);
         ASSERT_TRUE(simulator.waitFor("\n"));
         const std::string link = "serial:" + port + "?protocol=coach";
         const Ended ended = coach({"radio", "set", "--preset", "dongle", "--radio", "0"}, link);
@@ -98,7 +99,8 @@ TEST(ProgramCoach, SetsUpTheRadioOfAThunderbotsDongleOverASerialPort) {
         EXPECT_EQ(back.exitCode, 0) << back.err;
         EXPECT_EQ(back.object()[QStringLiteral("baud")].toInt(), 9600);
     }
-    ::unlink(port.c_str());
+    for (const std::string& file : {port, control})
+        ::unlink(file.c_str());
     ::rmdir(folder.c_str());
 }
 
