@@ -37,6 +37,9 @@ Outcome scan(const Context& context) {
     if (!span) return tl::unexpected(span.error());
     SessionRunner runner(context);
     if (auto connected = connectRadio(context, runner); !connected) return connected;
+    const std::optional<coach::FoundRadio> radio = radioOf(runner).radio;
+    const std::optional<int> ownTeam =
+        radio ? std::optional<int>(wire::teamOf(radio->settings.address)) : std::nullopt;
     std::map<int, Heard> boats;
     std::uint64_t last = 0;
     const auto listened = runner.waitUntil(
@@ -51,6 +54,10 @@ Outcome scan(const Context& context) {
                 if (entry.message.opcode == wire::Opcode::Available) heard.coach.reset();
                 if (entry.message.opcode == wire::Opcode::AssertionResult)
                     heard.coach = entry.message.parameter;
+                // These go to the COACH that the boat obeys, and to nobody else.
+                if (entry.message.opcode == wire::Opcode::UpdateMorale ||
+                    entry.message.opcode == wire::Opcode::MutinyInProgress)
+                    heard.coach = ownTeam;
             }
             return false;
         },

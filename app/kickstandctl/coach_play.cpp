@@ -74,7 +74,7 @@ Outcome CoachPlay::awaitSent(coach::wire::Opcode opcode) {
     tell(QStringLiteral("sent"),
          {{QStringLiteral("message"), QString::fromUtf8(coach::wire::specOf(opcode).name)},
           {QStringLiteral("acknowledged"), acknowledged}},
-         Words::tr("%1: %2.").arg(describe(sent->message), describeOutcome(*sent->outcome)));
+         Words::tr("%1: %2.").arg(describe(sent->message), describeOutcome(*sent)));
     if (!acknowledged) return failed({.code = Errc::TimedOut, .subject = coach::wire::specOf(opcode).name});
     return {};
 }

@@ -53,14 +53,21 @@ void CoachSide::begin(Team team, wire::TeamColor color) {
 
 void CoachSide::end(Unpairing why) {
     if (state_ == CoachState::Off) return;
-    if (state_ == CoachState::Paired) unpair(why);
-    stopFor_.reset();
-    jettisonFor_.reset();
+    // A boat that was steered is told to stand; over a lost link nothing reaches it.
+    if (state_ == CoachState::Paired) {
+        stopFor_ = boat_;
+        unpair(why);
+    }
+    if (why == Unpairing::LinkLost) {
+        stopFor_.reset();
+        jettisonFor_.reset();
+    }
     assertWaits_ = false;
     boat_.reset();
     deadlines_.stopAll();
     enter(CoachState::Off);
     tell(EventKind::RoleEnded, team_);
+    if (stopFor_ || jettisonFor_) slots_.want();
 }
 
 void CoachSide::expired(TimerKind kind) {
@@ -102,7 +109,7 @@ void CoachSide::expired(TimerKind kind) {
             unpair(Unpairing::Silence);
             return;
         case TimerKind::Mutiny:
-            tell(EventKind::MutinyLost, *boat_);
+            if (mutiny_) tell(EventKind::MutinyLost, *boat_);
             endMutiny();
             return;
         case TimerKind::Available:

@@ -20,8 +20,11 @@ class CoachSide {
 
     /// Begins: Startup.
     void begin(Team team, wire::TeamColor color);
-    /// Ends; nothing is sent any more.
+    /// Ends. A boat that it is paired with gets zero in the next slot; then nothing is sent any more. Over a
+    /// lost link nothing is sent at once.
     void end(Unpairing why);
+    /// The radio has been opened: its first slot is a packet's gap from now.
+    void linkOpened() { slots_.rest(); }
     /// A message came.
     void received(const Received& message);
 

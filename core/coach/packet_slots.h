@@ -20,6 +20,12 @@ class PacketSlots {
     PacketSlots(const PacketSlots&) = delete;
     PacketSlots& operator=(const PacketSlots&) = delete;
 
+    /// Waits a slot first: what another program sent a moment ago over the same radio is not known here.
+    void rest() {
+        used_ = true;
+        last_ = scheduler_.now();
+    }
+
     /// Something waits to be sent.
     void want() {
         if (timer_ != 0) return;

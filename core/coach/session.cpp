@@ -100,6 +100,8 @@ void Session::moduleAnswered(const Result<FoundRadio>& radio) {
     if (radio && radio->settings.mode != ModuleMode::Transparent) {
         radio_ = *radio;
         ++connections_;
+        coach_.linkOpened();
+        towrp_.linkOpened();
         enter(LinkState::Running);
         raise(EventKind::Connected, -1, radio_->settings.address);
         return;
@@ -134,7 +136,8 @@ void Session::messageCame(const Received& message) {
     towrp_.received(message);
     if (coach_.state() != CoachState::Off) {
         sample(Signal::Rssi_dBm, team, message.rssi_dBm);
-        if (message.message.opcode == wire::Opcode::UpdateMorale)
+        const bool fromBoat = wire::roleOf(message.source) == wire::Role::Towrp;
+        if (fromBoat && message.message.opcode == wire::Opcode::UpdateMorale)
             sample(Signal::Morale, team, static_cast<std::int8_t>(message.message.parameter));
     }
 }

@@ -53,7 +53,7 @@ Result<void> Session::checkRole(wire::Role role, Team team) const {
 Result<void> Session::checkSetup() const {
     if (state_ == LinkState::Setting) return fail(Errc::RequestPending);
     if (state_ != LinkState::Running && state_ != LinkState::NoModule) return fail(Errc::NotConnected);
-    if (coach_.state() != CoachState::Off || towrp_.state() != TowrpState::Off)
+    if (coach_.state() != CoachState::Off || coach_.stopWaits() || towrp_.state() != TowrpState::Off)
         return fail(Errc::RoleRunning);
     return {};
 }

@@ -21,6 +21,8 @@ class TowrpSide {
     void begin(Team team);
     /// Ends; nothing is sent any more.
     void end(Unpairing why);
+    /// The radio has been opened: its first slot is a packet's gap from now.
+    void linkOpened() { slots_.rest(); }
     /// A message came.
     void received(const Received& message);
 

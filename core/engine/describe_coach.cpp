@@ -248,10 +248,12 @@ QString describe(coach::ModuleMode mode) {
     return {};
 }
 
-QString describeOutcome(std::uint8_t txStatus) {
-    switch (txStatus) {
+QString describeOutcome(const coach::TrafficEntry& sent) {
+    if (!sent.outcome) return CoachWords::tr("on its way");
+    switch (*sent.outcome) {
         case 0:
-            return CoachWords::tr("acknowledged");
+            // Nobody acknowledges what is meant for all.
+            return sent.address == xbee::kBroadcast ? CoachWords::tr("sent") : CoachWords::tr("acknowledged");
         case 1:
             return CoachWords::tr("no acknowledgement");
         case 2:
@@ -259,7 +261,7 @@ QString describeOutcome(std::uint8_t txStatus) {
         case 3:
             return CoachWords::tr("purged");
         default:
-            return CoachWords::tr("status %1").arg(txStatus);
+            return CoachWords::tr("status %1").arg(*sent.outcome);
     }
 }
 

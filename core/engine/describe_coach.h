@@ -19,8 +19,8 @@ QString describe(coach::TimerKind timer);
 QString describe(coach::Unpairing why);
 /// How a module speaks.
 QString describe(coach::ModuleMode mode);
-/// What the module said of a packet: its TX status.
-QString describeOutcome(std::uint8_t txStatus);
+/// What the module said of a packet that was sent: its TX status.
+QString describeOutcome(const coach::TrafficEntry& sent);
 /// A message with its parameter: "velocity 100 % forward, 45 % clockwise".
 QString describe(const coach::wire::Message& message);
 /// A velocity in words: "stop", "29 % backward".

@@ -60,11 +60,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>3 s without Suppress Mutiny, or Jettison</source>
+        <source>the same</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the same</source>
+        <source>3 s without Suppress Mutiny, 5 s without velocity, or Jettison</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -832,6 +832,14 @@
     </message>
     <message>
         <source>TOWRP %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on its way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sent</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6410,10 +6418,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Steers with the sticks for forward and turning. Its STOP button counts in any case.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1. A boat that was driven stops by its own timer, within a second of its last velocity.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6423,6 +6427,14 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>The boat does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steers with the sticks for forward and turning. From then on its STOP button counts, whether it steers or not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not heard any more</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6497,10 +6509,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>%1  from %2  %3  (%4 dBm)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>on its way</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

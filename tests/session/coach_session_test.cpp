@@ -71,6 +71,17 @@ TEST(CoachSession, ASimulatedCrewMutiniesAndIsQuelledByTheSeries) {
     EXPECT_EQ(bench[0].state().coach.state, CoachState::Paired);
 }
 
+TEST(CoachSession, EndingTheRoleStopsTheBoat) {
+    CoachBench bench(boats({5}));
+    ASSERT_TRUE(bench[0].give(StartCoach{5, TeamColor::Red}));
+    ASSERT_TRUE(bench.within(6000, [&] { return bench[0].state().coach.state == CoachState::Paired; }));
+    ASSERT_TRUE(bench[0].give(Steer{wire::Velocity{7, 0}, false}));
+    ASSERT_TRUE(bench.within(1000, [&] { return !bench.sim.boat(5)->velocity().isZero(); }));
+    ASSERT_TRUE(bench[0].give(EndRole{}));
+    EXPECT_EQ(bench[0].state().coach.state, CoachState::Off);
+    EXPECT_TRUE(bench.within(400, [&] { return bench.sim.boat(5)->velocity().isZero(); }));
+}
+
 TEST(CoachSession, RolesNeedTheRightRadio) {
     CoachBench bench(boats({5}));
     EXPECT_EQ(bench[0].give(StartCoach{6, TeamColor::Red}).error().code, Errc::RadioNotSet);

@@ -72,7 +72,8 @@ Chart towrpChart(const Snapshot& snapshot) {
         {kPaired, kNotPaired, Words::tr("5 s without velocity, or Jettison")},
         {kPaired, kMutiny, Words::tr("morale −10")},
         {kMutiny, kPaired, Words::tr("Suppress Mutiny: morale −5")},
-        {kMutiny, kNotPaired, Words::tr("3 s without Suppress Mutiny, or Jettison"), true},
+        {kMutiny, kNotPaired, Words::tr("3 s without Suppress Mutiny, 5 s without velocity, or Jettison"),
+         true},
     };
     chart.timers = timersOf(view.timers, snapshot.time);
     chart.timersColumn = 0.9;

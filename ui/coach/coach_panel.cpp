@@ -164,7 +164,8 @@ QVBoxLayout* CoachPanel::buildHelm(MakePadSource makePads) {
     padOn_->setObjectName(QStringLiteral("coachPad"));
     padOn_->setCheckable(true);
     padOn_->setToolTip(
-        tr("Steers with the sticks for forward and turning. Its STOP button counts in any case."));
+        tr("Steers with the sticks for forward and turning. From then on its STOP button counts, "
+           "whether it steers or not."));
     padState_ = label("coachPadState", metrics::kSmallTextSize, body_);
     connect(padOn_, &QPushButton::toggled, gamepad_, &HelmGamepad::setOn);
     connect(gamepad_, &HelmGamepad::changed, padState_,
@@ -350,6 +351,7 @@ void CoachPanel::fillBoats(const Snapshot& snapshot) {
         const HeardBoat& boat = view.boats[static_cast<std::size_t>(row)];
         const QString state = boat.team == view.boat && view.state == CoachState::Paired
                                   ? tr("paired with this COACH")
+                              : snapshot.time - boat.heard > coach::kPairedSilence ? tr("not heard any more")
                               : boat.coach ? tr("obeys COACH %1").arg(*boat.coach)
                                            : tr("available");
         const QStringList texts{QString::number(boat.team), tr("%1 dBm").arg(signedNumber(boat.rssi_dBm)),

@@ -27,8 +27,7 @@ QString ConversationView::lineOf(const coach::TrafficEntry& entry) const {
     const QString what = describe(entry.message);
     if (!entry.sent)
         return tr("%1  from %2  %3  (%4 dBm)").arg(clock, whom, what, signedNumber(entry.rssi_dBm));
-    const QString outcome = entry.outcome ? describeOutcome(*entry.outcome) : tr("on its way");
-    return tr("%1  to %2  %3  (%4)").arg(clock, whom, what, outcome);
+    return tr("%1  to %2  %3  (%4)").arg(clock, whom, what, describeOutcome(entry));
 }
 
 void ConversationView::show(const std::shared_ptr<const coach::TrafficEntries>& entries) {

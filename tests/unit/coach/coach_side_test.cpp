@@ -431,13 +431,56 @@ TEST(CoachSide, AStopIsSaidAlsoWhenTheBoatIsJettisonedMeanwhile) {
     EXPECT_EQ(coach.sent[before + 1].message.opcode, Opcode::Jettison);
 }
 
-TEST(CoachSide, EndsSilently) {
+TEST(CoachSide, TheFirstPacketIsAGapFromTheOpeningOfTheRadio) {
+    Coach coach;
+    coach.side.linkOpened();
+    coach.side.begin(5, wire::TeamColor::Red);
+    coach.wait(199);
+    EXPECT_TRUE(coach.sent.empty());
+    coach.wait(1);
+    EXPECT_EQ(coach.sent.size(), 1U);
+}
+
+TEST(CoachSide, EndsWithAZeroAndThenSilently) {
     Coach coach;
     coach.pairAtStart();
+    ASSERT_TRUE(coach.side.steer(wire::Velocity{7, 0}));
+    coach.wait(1000);
     coach.side.end(Unpairing::RoleEnded);
     const std::size_t before = coach.sent.size();
+    EXPECT_TRUE(coach.side.stopWaits());
+    coach.wait(10000);
+    ASSERT_EQ(coach.sent.size(), before + 1);
+    EXPECT_EQ(coach.sent.back().message, (wire::Message{Opcode::Velocity, 0}));
+    EXPECT_FALSE(coach.side.stopWaits());
+    EXPECT_EQ(coach.side.view().timers.size(), 0U);
+    EXPECT_EQ(coach.scheduler.pending(), 0U);
+}
+
+TEST(CoachSide, AStopThatWaitsOutlivesTheRole) {
+    Coach coach;
+    coach.pairAtStart();
+    ASSERT_TRUE(coach.side.steer(wire::Velocity{7, 0}));
+    coach.wait(1000);
+    const std::size_t before = coach.sent.size();
+    coach.side.halt();
+    coach.side.end(Unpairing::RoleEnded);
+    coach.wait(10000);
+    ASSERT_EQ(coach.sent.size(), before + 1);
+    EXPECT_EQ(coach.sent.back().message, (wire::Message{Opcode::Velocity, 0}));
+}
+
+TEST(CoachSide, OverALostLinkNothingWaits) {
+    Coach coach;
+    coach.pairAtStart();
+    ASSERT_TRUE(coach.side.steer(wire::Velocity{7, 0}));
+    coach.wait(1000);
+    const std::size_t before = coach.sent.size();
+    coach.side.halt();
+    coach.side.end(Unpairing::LinkLost);
     coach.wait(10000);
     EXPECT_EQ(coach.sent.size(), before);
+    EXPECT_EQ(coach.side.view().timers.size(), 0U);
     EXPECT_EQ(coach.side.view().timers.size(), 0U);
     EXPECT_EQ(coach.scheduler.pending(), 0U);
 }
