@@ -2,6 +2,9 @@
 
 #include <QCoreApplication>
 
+#include "core/engine/describe_motionplan.h"
+#include "core/motionplan/exchange.h"
+
 namespace kickstand {
 namespace {
 
@@ -19,11 +22,25 @@ QString told(const thunderbots::Snapshot& /*snapshot*/, bool linkLost) {
         "the dongle already held may still have been given.");
 }
 
-QString told(const motionplan::Snapshot& snapshot, bool linkLost) {
-    if (linkLost || snapshot.outOfReach)
-        return StopWords::tr(
-            "The robot may not have been told: it goes on with its plan. Use its own button.");
-    return StopWords::tr("The robot was told to stop its plan.");
+QString told(const motionplan::Snapshot& snapshot, bool /*linkLost*/) {
+    using motionplan::StopState;
+    if (snapshot.outOfReach) return outOfReachText();
+    switch (snapshot.stop) {
+        case StopState::UnderWay:
+            return StopWords::tr("Stop is being sent to the robot.");
+        case StopState::Confirmed:
+            return snapshot.active() ? StopWords::tr(
+                                           "The robot has stopped, and executes a plan since: stop "
+                                           "it again, or use its own button.")
+                                     : StopWords::tr("The robot stands, as it says itself.");
+        case StopState::Unconfirmed:
+            return StopWords::tr(
+                       "Stop was sent %1 times and not confirmed: the robot may go on. Use its own button.")
+                .arg(motionplan::Exchange::kStopAttempts);
+        case StopState::None:
+            break;
+    }
+    return StopWords::tr("Stop is sent as soon as the robot is connected.");
 }
 
 QString told(const coach::Snapshot& /*snapshot*/, bool linkLost) {

@@ -83,6 +83,8 @@ void Session::opened(const Result<ByteLinkInfo>& result) {
     answers_ = false;
     nxtStatus_ = wire::kStatusMailboxEmpty;
     startedHere_ = false;
+    triggerAsked_ = false;
+    stop_ = StopState::None;
     ++connections_;
     model_.forget();
     station_.reset(Errc::Cancelled);
@@ -100,8 +102,8 @@ void Session::lost() {
     state_ = LinkState::Searching;
     error_ = Error{.code = Errc::Disconnected, .port = port_.port};
     const bool executing = active();
-    const bool starts = model_.trigger().plan != wire::kNoPlan;
-    // Its trigger plan starts, or what executes goes on: nothing that is sent reaches it now.
+    const bool starts = !model_.trigger().known || model_.trigger().plan != wire::kNoPlan;
+    // Its trigger plan starts, or may, or what executes goes on: nothing that is sent reaches it now.
     model_.outOfReach(true);
     station_.reset(Errc::Disconnected);
     answers_ = false;
@@ -116,11 +118,30 @@ void Session::step(TimePoint now, bool heartbeatFresh) {
     // A plan runs without keep-alives: nobody who watches means that it is stopped.
     if (wasFresh && !heartbeatFresh && startedHere_ && active() && host_.stop.set(StopReason::HeartbeatStale))
         halt();
+    askTrigger();
     const bool hadRequest = !station_.idle();
     station_.tick(now, active());
     model_.tick(now);
     tellMalformed(now);
     if (hadRequest || !station_.idle()) ++version_;
+}
+
+void Session::askTrigger() {
+    if (triggerAsked_ || ending_ || !answers_ || nxtStatus_ == wire::kStatusNoProgram) return;
+    // What a person asks goes first, and may ask for the same.
+    if (model_.trigger().known || !station_.idle()) return;
+    wire::Message message;
+    message.kind = MessageKind::Trigger;
+    message.plan = wire::kFirstPlan;
+    const auto queued = station_.submit({std::move(message), true}, [this](const Exchange& exchange) {
+        ended(exchange);
+        if (exchange.result()) return;
+        // What came and says nothing would say nothing again; what was broken off is asked for once more.
+        const Error& error = exchange.result().error();
+        const bool ofProgram = error.code == Errc::NxtRefused && error.got == wire::kStatusNoProgram;
+        triggerAsked_ = !ofProgram && (error.code == Errc::Malformed || error.code == Errc::NxtRefused);
+    });
+    triggerAsked_ = queued.has_value();
 }
 
 void Session::tellMalformed(TimePoint now) {
@@ -149,18 +170,18 @@ void Session::halt() {
 }
 
 void Session::sendStop(Errc why) {
+    stop_ = StopState::UnderWay;
     // One that is under way ends here, and leaves what is to be told to the new one.
     station_.stopNow(host_.scheduler.now(), why, [this, number = ++stops_](const Exchange& exchange) {
         if (number == stops_) stopEnded(exchange);
     });
-    stopping_ = !station_.idle();
 }
 
 void Session::stopEnded(const Exchange& exchange) {
     const TimePoint now = host_.scheduler.now();
     // One that was sent again finds nothing to stop where the first has worked.
     const bool nothing = exchange.wasIdle() && exchange.attempts() == 1;
-    stopping_ = false;
+    stop_ = exchange.result() ? StopState::Confirmed : StopState::Unconfirmed;
     if (exchange.result()) {
         stopConfirmedAt_ = now;
         model_.stopped(nothing, now);
@@ -204,12 +225,13 @@ void Session::shutdown(std::function<void()> done) {
     shutDown_ = std::move(done);
     ++version_;
     const bool stops = active() && startedHere_;
-    if (state_ != LinkState::Running || (!stops && !stopping_)) {
+    const bool stopping = stop_ == StopState::UnderWay;
+    if (state_ != LinkState::Running || (!stops && !stopping)) {
         close();
         return;
     }
     shutdownDeadline_ = host_.scheduler.callAfter(kLastStopLimit, [this] { close(); });
-    if (!stopping_) sendStop(Errc::Cancelled);
+    if (!stopping) sendStop(Errc::Cancelled);
 }
 
 void Session::close() {
@@ -235,6 +257,7 @@ Snapshot Session::snapshot() const {
     snapshot.trigger = model_.trigger();
     snapshot.execution = model_.execution();
     snapshot.request = station_.request();
+    snapshot.stop = stop_;
     snapshot.stopConfirmedAt = stopConfirmedAt_;
     snapshot.outOfReach = model_.isOutOfReach();
     snapshot.traffic = station_.traffic();

@@ -88,6 +88,9 @@ class Session {
     void heard(const wire::Message& message, bool belonged);
     void answering(int missed);
     void tellMalformed(TimePoint now);
+    /// Asks for the trigger plan by itself, once the robot answers: what a lost connection starts has to be
+    /// known before it is lost.
+    void askTrigger();
     void raise(EventKind kind, std::int64_t code = 0, std::int64_t previous = 0, std::string text = {});
     Station::Hooks hooks();
 
@@ -99,12 +102,13 @@ class Session {
     std::optional<Error> error_;
     ByteLinkInfo port_;
     bool answers_ = false;
+    bool triggerAsked_ = false;  ///< By askTrigger(), on this connection.
     std::uint8_t nxtStatus_;
     std::optional<CommandId> startAsked_;  ///< The Execute that is not answered yet.
     bool startedHere_ = false;             ///< A plan was started or adjusted by this session.
     bool heartbeatFresh_ = false;
     bool ending_ = false;
-    bool stopping_ = false;              ///< A Stop of STOP or of an ending is not answered yet.
+    StopState stop_ = StopState::None;
     std::vector<CommandId> stopAskers_;  ///< Who is told how it ends.
     std::uint64_t stops_ = 0;            ///< Each takes the place of the one before.
     TimePoint stopConfirmedAt_{};

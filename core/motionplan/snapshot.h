@@ -53,6 +53,14 @@ struct Execution {
     bool active() const { return state != State::Idle; }
 };
 
+/// How the last Stop of this connection stands.
+enum class StopState : std::uint8_t {
+    None,      ///< None was sent.
+    UnderWay,  ///< Sent, and not confirmed yet.
+    Confirmed,
+    Unconfirmed,  ///< Sent as often as it is, and nothing came back.
+};
+
 /// The request under way.
 struct RequestState {
     wire::MessageKind kind = wire::MessageKind::Stop;
@@ -85,6 +93,7 @@ struct Snapshot {
     TriggerState trigger;
     Execution execution;
     std::optional<RequestState> request;
+    StopState stop = StopState::None;
     TimePoint stopConfirmedAt{};  ///< When the robot last confirmed a Stop; zero for never.
     /// The connection is gone, and the robot may be moving where no STOP reaches it.
     bool outOfReach = false;

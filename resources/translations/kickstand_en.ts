@@ -3926,6 +3926,10 @@
         <source>Lose one of the next from the robot</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>whether the robot has a trigger plan, which starts when the connection ends, is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Options</name>
@@ -5162,14 +5166,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot may not have been told: it goes on with its plan. Use its own button.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The robot was told to stop its plan.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The boat may not have been told: its own timer stops it a second after the last velocity that it heard.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5183,6 +5179,26 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>Zero was written to every duty cycle and speed, and every board was disabled. Positions were left alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop is being sent to the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has stopped, and executes a plan since: stop it again, or use its own button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot stands, as it says itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop was sent %1 times and not confirmed: the robot may go on. Use its own button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop is sent as soon as the robot is connected.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9125,6 +9141,14 @@ steps not known</source>
     </message>
     <message>
         <source>plan %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP needs Bluetooth: without it the robot goes on with its plan or starts its trigger plan, and STOP cannot reach it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

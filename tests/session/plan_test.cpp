@@ -147,6 +147,100 @@ TEST(Plan, ALostConnectionStopsEverythingWhereATriggerPlanIsKnownToStart) {
     ASSERT_TRUE(rig.waitUntil([&] { return !rig.robot().motion(); }));
 }
 
+TEST(Plan, TheTriggerPlanIsReadWithoutBeingAskedForOnEachConnection) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().trigger.known; }));
+    EXPECT_EQ(rig.state().trigger.plan, wire::kNoPlan);
+    EXPECT_TRUE(rig.written().empty());
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kLong}));
+    rig.simulate("plugged", 0);
+    rig.advance(1s);
+    rig.simulate("plugged", 1);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().connections == 2; }));
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().trigger.known; }));
+    EXPECT_EQ(rig.state().trigger.plan, 7);
+}
+
+TEST(Plan, ATriggerPlanIsReadAsSoonAsTheProgramThatKnowsItRuns) {
+    PlanRig rig;
+    rig.simulate("program", 0);
+    ASSERT_TRUE(rig.connect());
+    rig.advance(5s);
+    EXPECT_FALSE(rig.state().trigger.known);
+    rig.simulate("program", 1);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().trigger.known; }));
+}
+
+TEST(Plan, AStopBeforeTheTriggerPlanIsReadOnlyPutsThatOff) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().request.has_value(); }));
+    rig.stop();
+    EXPECT_FALSE(rig.state().trigger.known);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().trigger.known; }));
+}
+
+TEST(Plan, WhatIsNoTriggerPlanIsReadOnceAndStaysUnknown) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    rig.simulate("text", 1);
+    EXPECT_EQ(rig.refusal(SetTrigger{7, {{Wheels::BothForward, 1000}}}), Errc::EchoDiffers);
+    rig.simulate("plugged", 0);
+    rig.advance(1s);
+    rig.simulate("plugged", 1);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().connections == 2; }));
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().request && rig.state().request->readsTrigger; }));
+    rig.advance(1s);
+    for (int look = 0; look < 100; ++look) {
+        rig.advance(10ms);
+        ASSERT_FALSE(rig.state().request) << look;
+    }
+    EXPECT_FALSE(rig.state().trigger.known);
+}
+
+TEST(Plan, ALostConnectionStopsEverythingWhereNobodyKnowsWhetherAPlanStarts) {
+    PlanRig rig;
+    rig.simulate("program", 0);
+    ASSERT_TRUE(rig.connect());
+    ASSERT_FALSE(rig.state().trigger.known);
+    rig.simulate("plugged", 0);
+    rig.advance(100ms);
+    EXPECT_EQ(rig.latch().reason(), StopReason::LinkLost);
+}
+
+TEST(Plan, HowStopStandsIsSaidAndNothingMore) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.create(9, 4, PlanRig::kLong));
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    EXPECT_EQ(rig.state().stop, StopState::None);
+    rig.simulate("lose-next", 100);
+    rig.stop();
+    EXPECT_EQ(rig.state().stop, StopState::UnderWay);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().stop != StopState::UnderWay; }));
+    EXPECT_EQ(rig.state().stop, StopState::Unconfirmed);
+    EXPECT_TRUE(rig.robot().motion());
+    rig.simulate("lose-next", 0);
+    ASSERT_TRUE(rig.ask(StopPlan{}));
+    EXPECT_EQ(rig.state().stop, StopState::Confirmed);
+    EXPECT_FALSE(rig.robot().motion());
+}
+
+TEST(Plan, AStopThatALossHasMadeIsConfirmedOnTheNextConnection) {
+    PlanRig rig;
+    ASSERT_TRUE(rig.connect());
+    ASSERT_TRUE(rig.ask(SetTrigger{7, PlanRig::kLong}));
+    ASSERT_TRUE(rig.ask(StopPlan{}).error().code == Errc::PlanRefused);
+    rig.simulate("plugged", 0);
+    rig.advance(1s);
+    rig.simulate("plugged", 1);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().connections == 2; }));
+    EXPECT_EQ(rig.state().stop, StopState::UnderWay);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().stop == StopState::Confirmed; }));
+    EXPECT_FALSE(rig.robot().motion());
+}
+
 TEST(Plan, ALostConnectionWithNothingToStartStopsNothing) {
     PlanRig rig;
     ASSERT_TRUE(rig.connect());
@@ -175,7 +269,8 @@ TEST(Plan, AfterALossTheLineIsOpenedAgainAndAStopThatIsLatchedGoesOut) {
 TEST(Plan, APlanThatExecutesAlreadyIsHeardOfAndLeftAlone) {
     PlanRig rig;
     ASSERT_TRUE(rig.connect());
-    // Another hand has set it: nothing here knows of it.
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.state().trigger.known; }));
+    // Another hand has set it since: nothing here knows of it.
     rig.sim().program().triggerPlan(
         wire::encodeMessage({.kind = MessageKind::Trigger, .plan = 7, .movements = {0x1E, 0x1E}})->view());
     rig.simulate("plugged", 0);

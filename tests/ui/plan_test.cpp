@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
@@ -34,6 +35,7 @@
 #include "ui/shell/theme.h"
 #include "ui/shell/workbench.h"
 #include "ui/thunderbots/thunderbots_view.h"
+#include "ui/widgets/banner.h"
 
 namespace kickstand::test {
 namespace {
@@ -491,6 +493,49 @@ TEST_F(PlanWindow, TheTriggerPlanIsSetAndSaidToBeDangerous) {
     EXPECT_EQ(written.messages().back(), "08 07 32");
     EXPECT_TRUE(text("planWarning").contains(QStringLiteral("starts its trigger plan")));
     EXPECT_FALSE(bench->view()->hazards(bench->session()->system).empty());
+}
+
+TEST_F(PlanWindow, TheTriggerPlanIsReadWithoutAQuestion) {
+    ASSERT_TRUE(waitFor([this] { return text("planTrigger") == QStringLiteral("Trigger plan: none"); }));
+    EXPECT_TRUE(written.messages().empty());
+    EXPECT_TRUE(text("planWarning").endsWith(QStringLiteral("the robot goes on with its plan.")));
+    EXPECT_TRUE(bench->view()->hazards(bench->session()->system).empty());
+}
+
+TEST_F(PlanWindow, AsLongAsNobodyKnowsOfATriggerPlanThatIsSaidAndAskedAboutBeforeTheWindowCloses) {
+    bench->submit(SimPerform{"program", -1, 0});
+    bench->submit(SimPerform{"plugged", -1, 0});
+    ASSERT_TRUE(waitFor([this] { return state()->outOfReach; }));
+    bench->submit(SimPerform{"plugged", -1, 1});
+    ASSERT_TRUE(waitFor([this] { return state()->connections == 2 && state()->answers; }));
+    ASSERT_TRUE(waitFor([this] { return text("planTrigger") == QStringLiteral("Trigger plan: not known"); }));
+    EXPECT_TRUE(text("planWarning").contains(QStringLiteral("or starts its trigger plan")));
+    window->close();
+    const auto* warning = window->findChild<QMessageBox*>(QStringLiteral("liveWarning"));
+    ASSERT_NE(warning, nullptr);
+    EXPECT_TRUE(warning->informativeText().contains(QStringLiteral("whether the robot has a trigger plan")));
+    EXPECT_TRUE(window->isVisible());
+}
+
+TEST_F(PlanWindow, TheBannerSaysOfStopWhatTheRobotHasSaid) {
+    const auto banner = [this](const char* said) {
+        return waitFor(
+            [&] { return find<ui::Banner>("stoppedBanner")->text().contains(QLatin1String(said)); });
+    };
+    add("Forward", 900);
+    click("planSend0");
+    ASSERT_TRUE(waitFor([this] { return state()->slotStates[0].plan == 1; }));
+    click("planExecute0");
+    ASSERT_TRUE(waitFor([this] { return state()->execution.step == 1; }));
+    bench->submit(SimPerform{"lose-next", -1, 100});
+    ASSERT_TRUE(waitFor([this] { return !client->hasPending(); }));
+    client->stop(StopReason::Person);
+    EXPECT_TRUE(banner("Stop was sent 5 times and not confirmed: the robot may go on."));
+    bench->submit(SimPerform{"plugged", -1, 0});
+    EXPECT_TRUE(banner("it goes on with its plan or starts its trigger plan, and STOP cannot reach it"));
+    bench->submit(SimPerform{"lose-next", -1, 0});
+    bench->submit(SimPerform{"plugged", -1, 1});
+    EXPECT_TRUE(banner("The robot stands, as it says itself."));
 }
 
 TEST_F(PlanWindow, ARobotOutOfReachIsSaidToBeSo) {

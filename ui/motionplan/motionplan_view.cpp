@@ -122,12 +122,17 @@ std::vector<Hazard> MotionplanView::hazards(const SystemSnapshot& system) const 
     const auto& snapshot = std::get<Snapshot>(system);
     std::vector<Hazard> hazards;
     if (snapshot.outOfReach) hazards.push_back({outOfReachText(), snapshot.time, true, true});
-    if (snapshot.link == LinkState::Running && snapshot.trigger.plan != motionplan::wire::kNoPlan)
+    if (snapshot.link != LinkState::Running) return hazards;
+    if (snapshot.trigger.plan != motionplan::wire::kNoPlan)
         hazards.push_back({(snapshot.trigger.known
                                 ? Words::tr("the robot starts its trigger plan %1 when the connection ends")
                                 : Words::tr("the robot may start trigger plan %1 when the connection ends"))
                                .arg(snapshot.trigger.plan),
                            snapshot.trigger.at, false, true});
+    else if (!snapshot.trigger.known)
+        hazards.push_back({Words::tr("whether the robot has a trigger plan, which starts when the connection "
+                                     "ends, is not known"),
+                           snapshot.time, false, true});
     return hazards;
 }
 

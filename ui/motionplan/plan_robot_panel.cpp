@@ -271,16 +271,22 @@ QString PlanRobotPanel::progressText(const Snapshot& snapshot) const {
     return text;
 }
 
+QString PlanRobotPanel::warningText(const motionplan::TriggerState& trigger) const {
+    if (trigger.plan != wire::kNoPlan)
+        return tr("When the connection ends, the robot starts its trigger plan; STOP cannot reach it then.");
+    if (trigger.known) return tr("STOP needs Bluetooth: without it the robot goes on with its plan.");
+    return tr(
+        "STOP needs Bluetooth: without it the robot goes on with its plan or starts its trigger plan, and "
+        "STOP cannot reach it.");
+}
+
 void PlanRobotPanel::refresh() {
     const Snapshot* const snapshot = planSnapshotOf(bench().session());
     const QString why = obstacle(snapshot);
     const bool reach = why.isEmpty();
     state_->setText(snapshot == nullptr ? tr("No robot") : executionText(*snapshot));
     progress_->setText(reach ? progressText(*snapshot) : why);
-    const bool trigger = snapshot != nullptr && snapshot->trigger.plan != wire::kNoPlan;
-    warning_->setText(trigger ? tr("When the connection ends, the robot starts its trigger plan; STOP cannot "
-                                   "reach it then.")
-                              : tr("STOP needs Bluetooth: without it the robot goes on with its plan."));
+    warning_->setText(warningText(snapshot == nullptr ? motionplan::TriggerState{} : snapshot->trigger));
     // Stop needs no answer to be sent: a robot that is silent may hear all the same.
     stop_->setEnabled(snapshot != nullptr && snapshot->link == motionplan::LinkState::Running);
     query_->setEnabled(reach);
@@ -329,7 +335,7 @@ void PlanRobotPanel::refreshTrigger(const Snapshot* snapshot) {
     const motionplan::TriggerState state =
         snapshot == nullptr ? motionplan::TriggerState{} : snapshot->trigger;
     const bool any = state.plan != wire::kNoPlan;
-    const QString held = !state.known ? (any ? tr("plan %1, not confirmed").arg(state.plan) : tr("not asked"))
+    const QString held = !state.known ? (any ? tr("plan %1, not confirmed").arg(state.plan) : tr("not known"))
                          : any        ? tr("plan %1").arg(state.plan)
                                       : tr("none");
     trigger_->setText(tr("Trigger plan: %1").arg(held));

@@ -45,6 +45,8 @@ class PlanRobotPanel final : public Panel {
     QString obstacle(const motionplan::Snapshot* snapshot) const;
     QString executionText(const motionplan::Snapshot& snapshot) const;
     QString progressText(const motionplan::Snapshot& snapshot) const;
+    /// What STOP cannot do.
+    QString warningText(const motionplan::TriggerState& trigger) const;
 
     PlanDocument& document_;
     QLabel* state_;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/engine/describe.h"
+#include "core/engine/describe_motionplan.h"
+#include "core/engine/describe_stop.h"
 
 namespace kickstand {
 namespace {
@@ -30,6 +32,26 @@ TEST(DescribeState, EveryStateHasItsOwnWords) {
 TEST(DescribeState, SaysWhatAPersonSees) {
     EXPECT_EQ(describe(thunderbots::wire::EStop::Disconnected).toStdString(), "not plugged in");
     EXPECT_EQ(describe(StopReason::Person).toStdString(), "by hand");
+}
+
+TEST(DescribeState, OfAStopThatARobotHasNotConfirmedNothingIsPromised) {
+    using motionplan::StopState;
+    motionplan::Snapshot robot;
+    std::set<QString> texts;
+    for (const StopState stop :
+         {StopState::None, StopState::UnderWay, StopState::Confirmed, StopState::Unconfirmed}) {
+        robot.stop = stop;
+        const QString text = stoppedText(robot, StopReason::Person);
+        EXPECT_EQ(text.contains(QStringLiteral("The robot stands")), stop == StopState::Confirmed);
+        // What has ended since the link was lost is told by how Stop stands, not by what has set it.
+        EXPECT_EQ(text, stoppedText(robot, StopReason::LinkLost));
+        EXPECT_TRUE(texts.insert(text).second) << text.toStdString();
+    }
+    robot.stop = StopState::Confirmed;
+    robot.execution.state = motionplan::Execution::State::Runs;
+    EXPECT_TRUE(texts.insert(stoppedText(robot, StopReason::Person)).second);
+    robot.outOfReach = true;
+    EXPECT_EQ(stoppedText(robot, StopReason::Person), outOfReachText());
 }
 
 }  // namespace
