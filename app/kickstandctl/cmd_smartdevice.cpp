@@ -125,6 +125,30 @@ struct WriteRequest {
     bool moves = false;
 };
 
+/// What a person has to enter for it, to follow "it is ".
+QString typeText(const smartdevice::ParameterSpec& spec) {
+    using smartdevice::wire::ValueType;
+    if (spec.type == ValueType::Raw) return Words::tr("bytes in hex, %1 of them").arg(spec.rawWidth);
+    if (spec.type == ValueType::Bool) return Words::tr("on or off");
+    return smartdevice::wire::isInteger(spec.type) ? Words::tr("a whole number") : Words::tr("a number");
+}
+
+/// The value of a parameter that is written, as it was typed.
+Expected<smartdevice::wire::Value> readValue(const smartdevice::ParameterSpec& spec,
+                                             const std::string& text) {
+    const QString name = QString::fromStdString(spec.name);
+    if (!spec.writable())
+        return badUsage(Words::tr("%1 can only be read.").arg(name),
+                        Words::tr("Write to another parameter; the help page of the boards says which."));
+    auto value = smartdevice::wire::fromText(spec.type, text, spec.name);
+    const bool fits = value && smartdevice::wire::bytesOf(*value).size() == spec.width();
+    if (fits) return *std::move(value);
+    if (!value && value.error().code != Errc::BadArgument)
+        return tl::unexpected(refusedInput(value.error()).value());
+    return badUsage(Words::tr("%1 cannot be “%2”.").arg(name, printable(text)),
+                    Words::tr("It is %1.").arg(typeText(spec)));
+}
+
 Expected<WriteRequest> readWrite(const Context& context, const DeviceState& device) {
     WriteRequest request;
     const auto& operands = context.invocation.operands;
@@ -137,15 +161,44 @@ Expected<WriteRequest> readWrite(const Context& context, const DeviceState& devi
         const int parameter = device.spec->find(name);
         if (parameter < 0) return noParameter(device, name);
         const smartdevice::ParameterSpec& spec = device.spec->parameters[static_cast<std::size_t>(parameter)];
-        const auto value = smartdevice::wire::fromText(spec.type, operands[i].substr(equals + 1), name);
-        if (!value) return tl::unexpected(refusedInput(value.error()).value());
+        const auto value = readValue(spec, operands[i].substr(equals + 1));
+        if (!value) return tl::unexpected(value.error());
         // Zero is where a speed ends, but a place like any other.
         const bool zero = spec.zeroOnStop && smartdevice::wire::toNumber(*value) == 0.0;
         request.moves = request.moves || (spec.moves && !zero);
         request.mask = static_cast<ParameterMask>(request.mask | 1U << parameter);
+        // The last one counts, as for the board.
+        std::erase_if(request.values, [&](const auto& one) { return one.first == parameter; });
         request.values.emplace_back(parameter, *value);
     }
     return request;
+}
+
+/// Whether what was written is, as far as is known, still so.
+bool holds(const DeviceState& device, const WriteRequest& request) {
+    return std::ranges::all_of(request.values, [&](const auto& one) {
+        return device.parameters.at(static_cast<std::size_t>(one.first)).written == one.second;
+    });
+}
+
+/// Waits as long as what was written is to last. Fails as soon as it does not hold any more.
+Outcome hold(SessionRunner& runner, int number, const WriteRequest& request, Duration span) {
+    const auto ended = runner.waitUntil(
+        [&] {
+            const DeviceState& device = deviceOf(runner, number);
+            return device.presence == smartdevice::Presence::Lost || !holds(device, request);
+        },
+        span);
+    if (!ended) return tl::unexpected(ended.error());
+    if (!*ended) return {};
+    const DeviceState& device = deviceOf(runner, number);
+    Failure failure = failed({.code = Errc::Disconnected, .subject = device.spec->name}).value();
+    if (device.presence != smartdevice::Presence::Lost)
+        failure.text = {Words::tr("%1 began anew meanwhile: what was written is gone.")
+                            .arg(QString::fromStdString(device.spec->name)),
+                        Words::tr("Check its power supply, then write it again."),
+                        {}};
+    return tl::unexpected(std::move(failure));
 }
 
 Outcome writeAndWatch(const Context& context, SessionRunner& runner, bool& stops) {
@@ -168,16 +221,14 @@ Outcome writeAndWatch(const Context& context, SessionRunner& runner, bool& stops
     const SystemCommand command = smartdevice::Command(smartdevice::WriteValues{*number, request->values});
     Outcome outcome = runner.perform(command);
     const auto isJudged = [&] {
-        return std::ranges::all_of(request->values, [&](const auto& one) {
-            const auto& state = deviceOf(runner, *number).parameters.at(static_cast<std::size_t>(one.first));
-            return state.written == one.second && state.verdict != smartdevice::WriteVerdict::Pending;
-        });
+        const DeviceState& device = deviceOf(runner, *number);
+        return holds(device, *request) && std::ranges::none_of(request->values, [&](const auto& one) {
+                   return device.parameters.at(static_cast<std::size_t>(one.first)).verdict ==
+                          smartdevice::WriteVerdict::Pending;
+               });
     };
     if (outcome) outcome = awaitShown(runner, isJudged);
-    if (outcome && timed) {
-        const auto kept = runner.waitUntil([] { return false; }, span);
-        if (!kept) outcome = tl::unexpected(kept.error());
-    }
+    if (outcome && timed) outcome = hold(runner, *number, *request, span);
     const DeviceState& device = deviceOf(runner, *number);
     QJsonObject verdicts;
     for (const auto& [parameter, value] : request->values) {
@@ -223,7 +274,7 @@ Outcome write(const Context& context) {
         return outcome;
     }
     const bool stopped = runner.finish();
-    if (outcome && !stopped) return failed({.code = Errc::TimedOut, .subject = "stop"});
+    if (outcome && !stopped) return notStopped(runner);
     if (stopped) context.output.line(Words::tr("The devices were told to stop."));
     return outcome;
 }

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "app/kickstandctl/device_access.h"
 #include "app/kickstandctl/families.h"
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/output.h"
@@ -10,6 +11,15 @@
 namespace kickstand::ctl {
 namespace {
 
+/// "PolarBear at /dev/ttyACM0, …".
+QString boardsText(const smartdevice::Snapshot& state) {
+    QStringList boards;
+    for (const smartdevice::DeviceState& board : state.devices)
+        boards << Words::tr("%1 at %2")
+                      .arg(QString::fromStdString(board.spec->name), QString::fromStdString(board.port));
+    return boards.join(QStringLiteral(", "));
+}
+
 /// What is said of a link whose robots were stopped.
 QString stoppedText(const QString& link, const SystemSnapshot& system) {
     if (std::holds_alternative<thunderbots::Snapshot>(system))
@@ -17,6 +27,8 @@ QString stoppedText(const QString& link, const SystemSnapshot& system) {
             .arg(link);
     if (std::holds_alternative<motionplan::Snapshot>(system))
         return Words::tr("%1: the robot stands, as it says itself.").arg(link);
+    if (const auto* const boards = std::get_if<smartdevice::Snapshot>(&system))
+        return Words::tr("%1: told to stop: %2.").arg(link, boardsText(*boards));
     return Words::tr("%1: everything was told to stop.").arg(link);
 }
 
@@ -30,7 +42,14 @@ QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<F
     const bool onNxt = outcome && std::holds_alternative<motionplan::Snapshot>(system);
     if (onNxt) system = stopAndAsk(runner);
     const bool braked = runner.finish();
-    if (outcome && !braked) outcome = failed({.code = Errc::TimedOut, .subject = toString(uri)});
+    const bool onBoards = outcome && std::holds_alternative<smartdevice::Snapshot>(system);
+    if (onBoards) system = boardsOf(runner);
+    if (outcome && !braked) {
+        if (onBoards)
+            outcome = notStopped(runner);
+        else
+            outcome = failed({.code = Errc::TimedOut, .subject = toString(uri)});
+    }
     QJsonObject json{{QStringLiteral("link"), link}, {QStringLiteral("braked"), braked}};
     QString closing;
     if (const auto* const robot = std::get_if<motionplan::Snapshot>(&system); onNxt && robot != nullptr) {
@@ -40,6 +59,9 @@ QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<F
     if (outcome) {
         context.output.line(stoppedText(link, system));
         if (!closing.isEmpty()) context.output.line(closing);
+        for (const smartdevice::PortState& port : boardsOf(runner).ports) {
+            if (const QString trouble = troubleOf(port); !trouble.isEmpty()) context.output.line(trouble);
+        }
     } else {
         json[QStringLiteral("error")] = toJson(outcome.error());
         if (!failure) failure = outcome.error();

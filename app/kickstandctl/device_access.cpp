@@ -22,10 +22,7 @@ using smartdevice::wire::ParameterMask;
 constexpr Duration kSettleLimit = std::chrono::seconds(9);
 
 bool isUnderWay(const smartdevice::Snapshot& state) {
-    const bool asking = std::ranges::any_of(state.ports, [](const PortState& port) {
-        return port.phase == PortPhase::Opening || port.phase == PortPhase::Asking;
-    });
-    return asking || std::ranges::any_of(state.devices, &DeviceState::learning);
+    return arePortsUnderWay(state) || std::ranges::any_of(state.devices, &DeviceState::learning);
 }
 
 bool isCalled(const DeviceState& device, const std::string& name) {
@@ -63,6 +60,17 @@ std::optional<Error> culprit(const smartdevice::Snapshot& state, const std::stri
     return any == state.ports.end() ? std::nullopt : any->error;
 }
 
+/// What keeps a port from being used; nothing where it can be, or may still turn out so.
+std::optional<Failure> failureOf(const PortState& port) {
+    if (port.error) return failed(*port.error).value();
+    if (port.phase != PortPhase::Silent) return std::nullopt;
+    Failure failure = failed({.code = Errc::TimedOut, .subject = port.name}).value();
+    failure.text = {Words::tr("Nobody answers at %1.").arg(QString::fromStdString(port.name)),
+                    Words::tr("Check that a smart device is at its end."),
+                    {}};
+    return failure;
+}
+
 tl::unexpected<Failure> noDevice(const smartdevice::Snapshot& state, const std::string& name) {
     Failure failure = failed({.code = Errc::NoDevice, .subject = name}).value();
     failure.text = {Words::tr("There is no device “%1” here.").arg(printable(name)),
@@ -85,6 +93,12 @@ const smartdevice::Snapshot& boardsOf(const SessionRunner& runner) {
 
 const DeviceState& deviceOf(const SessionRunner& runner, int number) {
     return boardsOf(runner).devices.at(static_cast<std::size_t>(number));
+}
+
+bool arePortsUnderWay(const smartdevice::Snapshot& state) {
+    return std::ranges::any_of(state.ports, [](const PortState& port) {
+        return port.phase == PortPhase::Opening || port.phase == PortPhase::Asking;
+    });
 }
 
 Outcome connectBoards(const Context& context, SessionRunner& runner) {
@@ -141,10 +155,24 @@ Expected<int> awaitDevice(SessionRunner& runner, const std::string& name) {
 }
 
 QString troubleOf(const PortState& port) {
-    if (port.error) return describe(*port.error).line();
-    if (port.phase != PortPhase::Silent) return {};
-    return Words::tr("Nobody answers at %1. Check that a smart device is at its end.")
-        .arg(QString::fromStdString(port.name));
+    const auto failure = failureOf(port);
+    return failure ? failure->text.line() : QString();
+}
+
+tl::unexpected<Failure> notStopped(const SessionRunner& runner) {
+    const smartdevice::Snapshot& state = boardsOf(runner);
+    if (isPortMissing(runner)) return failed({.code = Errc::NoDevice, .port = runner.uri().target});
+    const auto lost = std::ranges::find(state.devices, Presence::Lost, &DeviceState::presence);
+    if (lost != state.devices.end()) return failed({.code = Errc::Disconnected, .subject = lost->spec->name});
+    if (state.devices.empty()) {
+        for (const PortState& port : state.ports) {
+            if (auto failure = failureOf(port)) return tl::unexpected(*std::move(failure));
+        }
+    }
+    if (!state.ports.empty()) return failed({.code = Errc::TimedOut, .subject = toString(runner.uri())});
+    Failure nobody = failed({.code = Errc::NoDevice}).value();
+    nobody.text = {Words::tr("There is no smart device here."), Words::tr("Plug one in."), {}};
+    return tl::unexpected(std::move(nobody));
 }
 
 QString ownNameOf(const DeviceState& device) {

@@ -13,6 +13,9 @@ namespace kickstand::ctl {
 const smartdevice::Snapshot& boardsOf(const SessionRunner& runner);
 const smartdevice::DeviceState& deviceOf(const SessionRunner& runner, int number);
 
+/// Whether it is not known yet who is at some port.
+bool arePortsUnderWay(const smartdevice::Snapshot& state);
+
 /// Connects; without a link to every serial port on USB. Fails where the link names a port that is not there.
 /// A catalogue of the user that cannot be read is complained about, and left out.
 Outcome connectBoards(const Context& context, SessionRunner& runner);
@@ -22,6 +25,8 @@ Outcome settleBoards(SessionRunner& runner);
 Expected<int> awaitDevice(SessionRunner& runner, const std::string& name);
 /// What keeps a port from being used, and what to do; empty where nothing does.
 QString troubleOf(const smartdevice::PortState& port);
+/// Why finish() could not tell every board to stop.
+tl::unexpected<Failure> notStopped(const SessionRunner& runner);
 /// The name that a person gave the device in the window; empty where nobody did.
 QString ownNameOf(const smartdevice::DeviceState& device);
 

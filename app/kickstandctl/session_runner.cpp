@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/composition/composition.h"
+#include "app/kickstandctl/device_access.h"
 #include "app/kickstandctl/interruption.h"
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/words.h"
@@ -26,6 +27,8 @@ constexpr Duration kSnapshotFollows = milliseconds(30);
 constexpr Duration kBrakeLimit = milliseconds(500);
 /// Over Bluetooth a Stop is sent up to five times, once a second.
 constexpr Duration kStopPlanLimit = milliseconds(6500);
+/// A port is asked for five seconds who is there, after it was opened.
+constexpr Duration kStopBoardsLimit = seconds(9);
 /// A zero velocity is repeated every 0.2 s until the boat answers, which has stopped by itself by then.
 constexpr Duration kStopBoatLimit = milliseconds(2000);
 
@@ -63,9 +66,23 @@ bool isAtRest(const coach::Snapshot& state, TimePoint since) {
     return state.link == coach::LinkState::Running && (stands || !view.sent);
 }
 
-/// Whether every device has been told to stop since then.
+bool isLost(const smartdevice::DeviceState& board) {
+    return board.presence == smartdevice::Presence::Lost;
+}
+/// Whether every board that was met has been told to stop since then, which disables it, and no port may lead
+/// to another.
 bool isAtRest(const smartdevice::Snapshot& state, TimePoint since) {
-    return state.stoppedAt >= since;
+    return state.stoppedAt >= since && !arePortsUnderWay(state) && !state.devices.empty() &&
+           std::ranges::none_of(state.devices, [](const smartdevice::DeviceState& board) {
+               return isLost(board) || !board.disabled;
+           });
+}
+/// Whether some board, or all there may be, will not be reached by waiting.
+bool isOutOfReach(const SessionSnapshot* session, TimePoint since) {
+    const auto* const state =
+        session == nullptr ? nullptr : std::get_if<smartdevice::Snapshot>(&session->system);
+    return state != nullptr && state->stoppedAt >= since && !arePortsUnderWay(*state) &&
+           (state->devices.empty() || std::ranges::any_of(state->devices, isLost));
 }
 
 }  // namespace
@@ -284,7 +301,7 @@ bool SessionRunner::finish() {
         engine_.heartbeat();
         refresh();
         braked_ = atRest(stopped);
-        if (!standing().running) break;
+        if (!standing().running || isOutOfReach(session(), stopped)) break;
         if (!braked_) context_.interruption.wait(kTick);
     }
     engine_.shutdown();
@@ -295,6 +312,7 @@ Duration SessionRunner::brakeLimit() const {
     const SessionSnapshot* const current = session();
     if (current == nullptr) return kBrakeLimit;
     if (std::holds_alternative<motionplan::Snapshot>(current->system)) return kStopPlanLimit;
+    if (std::holds_alternative<smartdevice::Snapshot>(current->system)) return kStopBoardsLimit;
     return std::holds_alternative<coach::Snapshot>(current->system) ? kStopBoatLimit : kBrakeLimit;
 }
 

@@ -191,8 +191,13 @@ TEST(ProgramSmartDevice, PingAndDisable) {
 TEST(ProgramSmartDevice, WhatMakesNoSenseIsRefusedWithWhatThereIs) {
     expectRefused(onBoards({"smartdevice", "read", "Grizzly"}), 1, "PolarBear");
     expectRefused(onBoards({"smartdevice", "read", "PolarBear", "speed"}), 2, "duty_cycle");
-    expectRefused(onBoards({"smartdevice", "write", "BatteryBuzzer", "v_batt=12"}), 1, "only be read");
-    expectRefused(onBoards({"smartdevice", "write", "PolarBear", "duty_cycle=fast"}), 2, "duty_cycle");
+    expectRefused(onBoards({"smartdevice", "write", "BatteryBuzzer", "v_batt=12"}), 2, "only be read");
+    expectRefused(onBoards({"smartdevice", "write", "PolarBear", "duty_cycle=fast"}), 2, "It is a number.");
+    expectRefused(run({"--link", "sim:smartdevice?devices=TeamFlag&boot_ms=50", "smartdevice", "write",
+                       "TeamFlag", "mode=2"}),
+                  2, "It is on or off.");
+    expectRefused(run({"--link", kWithUnknown, "smartdevice", "write", "Device66", "parameter0=0708"}), 2,
+                  "bytes in hex, 1 of them");
     expectRefused(onBoards({"smartdevice", "write", "PolarBear", "duty_cycle=2", "--for", "1"}), 1,
                   "-1 to 1");
     expectRefused(onBoards({"smartdevice", "write", "PolarBear", "duty_cycle"}), 2, "NAME=VALUE");

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -36,6 +37,30 @@ class SimSmartDevice : public testing::Test {
     Ended onPort(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), {"--link", "serial:" + port_.string() + "?protocol=smartdevice"});
         return run(std::move(arguments));
+    }
+    /// The board as the simulator has it.
+    QJsonObject board() const {
+        return ctl({"--json", "show", "0"}).object()[QStringLiteral("devices")][0].toObject();
+    }
+    int stops() const { return board()[QStringLiteral("disables")].toInt(); }
+    double dutyCycle() const { return board()[QStringLiteral("values")][0].toDouble(); }
+    static bool eventually(const std::function<bool()>& met) {
+        QDeadlineTimer watchdog(20'000);
+        while (!met()) {
+            if (watchdog.hasExpired()) return false;
+        }
+        return true;
+    }
+    std::vector<std::string> driving() const {
+        return {"--link",
+                "serial:" + port_.string() + "?protocol=smartdevice",
+                "--json",
+                "smartdevice",
+                "write",
+                "PolarBear",
+                "duty_cycle=0.5",
+                "--for",
+                "60"};
     }
     Ended ctl(std::vector<std::string> words) const {
         words.insert(words.begin(), {"ctl", "--control", control()});
@@ -84,23 +109,64 @@ TEST_F(SimSmartDevice, ABusyPortIsSaidToBeBusyWithTheRemedy) {
 }
 
 TEST_F(SimSmartDevice, APolarBearWhosePortIsClosedDisablesItself) {
-    Program driving({"--link", "serial:" + port_.string() + "?protocol=smartdevice", "--json", "smartdevice",
-                     "write", "PolarBear", "duty_cycle=0.5", "--for", "60"});
-    const auto board = [this] {
-        return ctl({"--json", "show", "0"}).object()[QStringLiteral("devices")][0].toObject();
+    Program program(driving());
+    ASSERT_TRUE(eventually([this] { return dutyCycle() == 0.5; }));
+    program.signal(SIGKILL);
+    program.end();
+    EXPECT_TRUE(eventually([this] { return board()[QStringLiteral("disabled")].toBool(); }));
+    EXPECT_EQ(dutyCycle(), 0);
+}
+
+TEST_F(SimSmartDevice, StopReachesTheBoardAndSaysWhich) {
+    const int before = stops();
+    const Ended ended = onPort({"stop"});
+    EXPECT_EQ(ended.exitCode, 0) << ended.err;
+    EXPECT_NE(ended.out.find("told to stop: PolarBear at " + port_.string()), std::string::npos) << ended.out;
+    EXPECT_EQ(stops(), before + 1);
+}
+
+TEST_F(SimSmartDevice, AStopThatReachesNobodyFailsWithTheReason) {
+    const auto expectFailed = [this](const Ended& ended, const std::string& reason) {
+        EXPECT_EQ(ended.exitCode, 1) << ended.out;
+        EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+        EXPECT_NE(ended.err.find(reason), std::string::npos) << ended.err;
+        EXPECT_NE(ended.err.find(port_.string()), std::string::npos) << ended.err;
+        EXPECT_EQ(ended.out.find("told to stop"), std::string::npos) << ended.out;
     };
-    const auto waitFor = [](const auto& met) {
-        QDeadlineTimer watchdog(20'000);
-        while (!met()) {
-            if (watchdog.hasExpired()) return false;
-        }
-        return true;
-    };
-    ASSERT_TRUE(waitFor([&] { return board()[QStringLiteral("values")][0].toDouble() == 0.5; }));
-    driving.signal(SIGKILL);
-    driving.end();
-    EXPECT_TRUE(waitFor([&] { return board()[QStringLiteral("disabled")].toBool(); }));
-    EXPECT_EQ(board()[QStringLiteral("values")][0].toDouble(), 0);
+    const int before = stops();
+    ASSERT_EQ(ctl({"silent", "0", "1"}).exitCode, 0);
+    expectFailed(onPort({"stop"}), "Nobody answers");
+    ASSERT_EQ(ctl({"silent", "0", "0"}).exitCode, 0);
+    {
+        Program holder(driving());
+        ASSERT_TRUE(eventually([this] { return dutyCycle() == 0.5; }));
+        expectFailed(onPort({"stop"}), "Close that program");
+        EXPECT_EQ(stops(), before);
+        holder.signal(SIGINT);
+        holder.end();
+    }
+    ASSERT_EQ(ctl({"unplug", "0"}).exitCode, 0);
+    expectFailed(onPort({"stop"}), "no serial port");
+}
+
+TEST_F(SimSmartDevice, AWriteFailsWhenItsBoardIsLost) {
+    Program program(driving());
+    ASSERT_TRUE(eventually([this] { return dutyCycle() == 0.5; }));
+    ASSERT_EQ(ctl({"unplug", "0"}).exitCode, 0);
+    const Ended ended = program.end();
+    EXPECT_EQ(ended.exitCode, 1) << ended.out;
+    EXPECT_NE(ended.err.find("gone"), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.out.find("told to stop"), std::string::npos) << ended.out;
+}
+
+TEST_F(SimSmartDevice, AWriteFailsWhenItsBoardBeginsAnew) {
+    Program program(driving());
+    ASSERT_TRUE(eventually([this] { return dutyCycle() == 0.5; }));
+    ASSERT_EQ(ctl({"reset", "0", "1"}).exitCode, 0);
+    const Ended ended = program.end();
+    EXPECT_EQ(ended.exitCode, 1) << ended.out;
+    EXPECT_NE(ended.err.find("began anew"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("PolarBear"), std::string::npos) << ended.err;
 }
 
 TEST_F(SimSmartDevice, WhySubscribedUpdatesStayAwayIsTold) {
