@@ -1,6 +1,8 @@
 #include "core/engine/describe_stop.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
 
 #include "core/engine/describe_motionplan.h"
 #include "core/motionplan/exchange.h"
@@ -51,14 +53,51 @@ QString told(const coach::Snapshot& /*snapshot*/, bool linkLost) {
     return StopWords::tr("Zero velocity is sent in the next slot, and held until you re-arm.");
 }
 
-QString told(const smartdevice::Snapshot& /*snapshot*/, bool linkLost) {
+/// Why nobody can say that the board has heard of STOP; empty where it was told.
+QString doubtOf(const smartdevice::DeviceState& board) {
+    if (board.presence == smartdevice::Presence::Lost) return StopWords::tr("lost");
+    // Being told disables it, and nothing is written to it before the re-arming.
+    if (!board.disabled) return StopWords::tr("its port takes nothing");
+    return board.presence == smartdevice::Presence::Quiet ? StopWords::tr("it is silent") : QString();
+}
+
+/// The boards that may not have heard of STOP, and the ports at whose ends there may be such.
+QStringList outOfReach(const smartdevice::Snapshot& snapshot) {
+    QStringList doubts;
+    for (const smartdevice::DeviceState& board : snapshot.devices) {
+        if (const QString doubt = doubtOf(board); !doubt.isEmpty())
+            doubts << StopWords::tr("%1 at %2 (%3)")
+                          .arg(QString::fromStdString(board.spec->name), QString::fromStdString(board.port),
+                               doubt);
+    }
+    for (const smartdevice::PortState& port : snapshot.ports) {
+        if (port.error && port.error->code == Errc::ClaimedElsewhere)
+            doubts << StopWords::tr("what is at %1 (another program holds the port)")
+                          .arg(QString::fromStdString(port.name));
+    }
+    return doubts;
+}
+
+QString told(const smartdevice::Snapshot& snapshot, bool linkLost) {
     if (linkLost)
         return StopWords::tr(
             "Boards may not have been told. A PolarBear disables itself when its heartbeats "
             "stop; of others nobody knows.");
+    const QStringList doubts = outOfReach(snapshot);
+    const bool anyTold = std::ranges::any_of(
+        snapshot.devices, [](const smartdevice::DeviceState& board) { return doubtOf(board).isEmpty(); });
+    if (doubts.isEmpty() && anyTold)
+        return StopWords::tr(
+            "Zero was written to every duty cycle and speed, and every board was disabled. Positions "
+            "were left alone.");
+    if (doubts.isEmpty()) return StopWords::tr("There is no board that could be told.");
+    QString warning = StopWords::tr("These may not have been told: %1. Look before you reach for them.")
+                                .arg(doubts.join(QStringLiteral(", ")));
+    if (!anyTold) return warning;
     return StopWords::tr(
-        "Zero was written to every duty cycle and speed, and every board was disabled. Positions "
-        "were left alone.");
+               "%1 To the duty cycles and speeds of all others zero was written, and they were "
+               "disabled; positions were left alone.")
+        .arg(warning);
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ constexpr Duration kAskAgainAfter = milliseconds(200);
 constexpr int kReads = 3;
 /// So long without a sample that should have come, while heartbeats are answered: the board began anew.
 constexpr Duration kUpdatesMissing = std::chrono::seconds(1);
+/// A board that talks answers every heartbeat; one may get lost.
+constexpr Duration kTalksEvery = 2 * Heartbeat::kEvery;
 constexpr std::uint16_t kUsualDelay_ms = 40;
 
 constexpr wire::ParameterMask bit(int parameter) {
@@ -177,7 +179,7 @@ void Device::watchUpdates(TimePoint now) {
     }
     if (request_.isOpen() || state_.subscribed == 0 || state_.delay_ms == 0) return;
     const Duration limit = std::max<Duration>(kUpdatesMissing, 4 * milliseconds(state_.delay_ms));
-    if (now - sampleAt_ < limit) return;
+    if (state_.heardAt - sampleAt_ < limit) return;
     raise(EventKind::DeviceReset);
     noteStopped();
     forgetWritten(Forget::All);
@@ -187,6 +189,9 @@ void Device::watchUpdates(TimePoint now) {
 // ---- What comes.
 
 void Device::message(const wire::Message& message, TimePoint now) {
+    // Only a board that talks and sends no updates began anew: while nothing comes at all, none can.
+    if (const Duration silence = now - state_.heardAt; silence > kTalksEvery)
+        sampleAt_ = std::min(now, sampleAt_ + silence);
     state_.heardAt = now;
     setPresence(Presence::Live);
     if (const auto* response = std::get_if<wire::SubscriptionResponse>(&message)) {
@@ -456,6 +461,7 @@ void Device::sendStop() {
         state_.parameters[static_cast<std::size_t>(parameter)].written = zero;
     state_.disabled = true;
     host_.changed();
+    raise(EventKind::Stopped, state_.spec->name);
 }
 
 }  // namespace kickstand::smartdevice

@@ -237,11 +237,8 @@ void Session::halt() {
     blocked_ = true;
     halting_ = true;
     ++version_;
-    for (const auto& device : devices_) {
-        const bool there = placeOf(*device) != nullptr;
+    for (const auto& device : devices_)
         device->stop();
-        if (there) raise(EventKind::Stopped, device->state().number, device->state().spec->name);
-    }
     noteHalt();
 }
 

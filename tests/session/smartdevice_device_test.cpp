@@ -20,7 +20,7 @@ class SmartDeviceLine : public ::testing::Test, private SampleSink {
             if (!isFull_) sent_.push_back(message);
             return !isFull_;
         };
-        host.event = [](const Event&) {};
+        host.event = [this](const Event& event) { events_.push_back(event.kind); };
         host.answer = [this](CommandId id, Result<void> result) { answers_[id] = std::move(result); };
         host.changed = [] {};
         host.samples = this;
@@ -41,6 +41,7 @@ class SmartDeviceLine : public ::testing::Test, private SampleSink {
 
     bool isFull_ = false;
     std::vector<wire::Message> sent_;
+    std::vector<EventKind> events_;
     std::map<CommandId, Result<void>> answers_;
     std::unique_ptr<Device> device_;
 
@@ -56,11 +57,13 @@ TEST_F(SmartDeviceLine, AStopThatTheLineDoesNotTakeIsOwedUntilItDoes) {
     device_->stop();
     device_->step(now_ += 10ms);
     EXPECT_TRUE(device_->owesStop());
+    EXPECT_EQ(std::ranges::count(events_, EventKind::Stopped), 0);
     EXPECT_TRUE(device_->state().driving) << "nobody has told it to stop";
     EXPECT_FALSE(device_->state().disabled);
     isFull_ = false;
     device_->step(now_ += 10ms);
     EXPECT_FALSE(device_->owesStop());
+    EXPECT_EQ(std::ranges::count(events_, EventKind::Stopped), 1);
     EXPECT_FALSE(device_->state().driving);
     EXPECT_TRUE(device_->state().disabled);
     EXPECT_EQ(count<wire::DeviceDisable>(), 1);

@@ -95,6 +95,39 @@ TEST_F(SmartDeviceSafety, WhatWasWrittenIsForgottenWhenTheBoardBeginsAnew) {
     EXPECT_FALSE(device(0).driving);
 }
 
+TEST_F(SmartDeviceSafety, AShortSilenceIsNotTakenForANewBeginning) {
+    start("PolarBear");
+    ASSERT_TRUE(write(0, "duty_cycle", 0.5));
+    for (const int delay_ms : {200, 225, 250}) {
+        ASSERT_TRUE(perform(Subscribe{0, device(0).wanted, static_cast<std::uint16_t>(delay_ms)}));
+        for (Duration silence = 400ms; silence <= 1300ms; silence += 30ms) {
+            sim_->board(0).faults().silent = true;
+            run(silence);
+            sim_->board(0).faults().silent = false;
+            // No multiple of anything, so that a silence begins at all points between two updates.
+            run(1370ms);
+            ASSERT_EQ(count(EventKind::DeviceReset), 0) << delay_ms << " " << silence / 1ms;
+            ASSERT_TRUE(device(0).driving);
+        }
+    }
+    ASSERT_TRUE(sim_->perform("reset", 0, 1));
+    // Its 600 ms of booting, and the second in which it talks and sends nothing.
+    ASSERT_TRUE(runUntil([&] { return count(EventKind::DeviceReset) == 1; }, 2s));
+    EXPECT_FALSE(device(0).driving);
+}
+
+TEST_F(SmartDeviceSafety, ABoardIsSaidToBeStoppedOnceItWasTold) {
+    start("PolarBear,PolarBear");
+    ASSERT_TRUE(sim_->perform("plugged", 1, 0));
+    ASSERT_TRUE(runUntil([&] { return device(numberOf(1)).presence == Presence::Lost; }, 5s));
+    pressStop();
+    run(20ms);
+    EXPECT_EQ(count(EventKind::Stopped), 1) << "the one that is there";
+    ASSERT_TRUE(sim_->perform("plugged", 1, 1));
+    ASSERT_TRUE(runUntil([&] { return count(EventKind::Stopped) == 2; }, 10s));
+    ASSERT_TRUE(runUntil([&] { return sim_->board(1).report().disabled; }, 1s));
+}
+
 TEST_F(SmartDeviceSafety, DisablingOneLeavesTheOthers) {
     start("PolarBear,PolarBear");
     ASSERT_TRUE(write(0, "duty_cycle", 0.5));
