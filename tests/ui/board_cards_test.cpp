@@ -6,6 +6,7 @@
 #include "ui/shell/panel_dock.h"
 #include "ui/smartdevice/card.h"
 #include "ui/smartdevice/device_card.h"
+#include "ui/smartdevice/device_words.h"
 #include "ui/smartdevice/plot_choice.h"
 
 namespace kickstand::test {
@@ -63,6 +64,14 @@ TEST(BoardCardTest, AMotorShowsDutyCyclePositionSpeedCurrentSetPointsAndGains) {
                              "\u22120.50 turns/s \u22122200\u00a0ticks/s", "current 1.50\u00a0A of 3.0 A",
                              "position to 4400 ticks", "P 0.5 I \u2014 D \u2014"})
         EXPECT_NE(words.find(part), std::string::npos) << part << " is not in: " << words;
+}
+
+TEST(BoardCardTest, OnlyWhatCanBeWrittenToIsSaidToBeDisabled) {
+    for (const auto& [kind, isSaid] : {std::pair{"TeamFlag", true}, std::pair{"LimitSwitch", false}}) {
+        DeviceState board = boardWith(kind, {});
+        board.disabled = true;
+        EXPECT_EQ(ui::standingOf(board, kNow).text == QStringLiteral("disabled"), isSaid) << kind;
+    }
 }
 
 TEST(BoardCardTest, ABatteryShowsItsCellsFromTheTaps) {

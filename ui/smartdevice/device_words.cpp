@@ -38,7 +38,7 @@ Standing standingOf(const DeviceState& device, TimePoint now) {
     switch (device.presence) {
         case Presence::Live:
             if (device.learning) return {Tone::Busy, Words::tr("finding out")};
-            if (device.disabled) return {Tone::Idle, Words::tr("disabled")};
+            if (device.disabled && device.spec->writable() != 0) return {Tone::Idle, Words::tr("disabled")};
             if (device.driving) return {Tone::Busy, Words::tr("drives")};
             return {Tone::Good, describe(device.presence)};
         case Presence::Quiet:
