@@ -5201,6 +5201,38 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>Stop is sent as soon as the robot is connected.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its port takes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is at %1 (another program holds the port)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no board that could be told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These may not have been told: %1. Look before you reach for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 To the duty cycles and speeds of all others zero was written, and they were disabled; positions were left alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ThunderbotsView</name>
@@ -12145,10 +12177,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody answers at %1. Check that a smart device is at its end.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is no smart device here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12370,6 +12398,58 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>Name one by its own name, its UID or its port; there are: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bytes in hex, %1 of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can only be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write to another parameter; the help page of the boards says which.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 began anew meanwhile: what was written is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its power supply, then write it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: told to stop: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody answers at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that a smart device is at its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug one in.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
