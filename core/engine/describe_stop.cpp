@@ -92,7 +92,7 @@ QString told(const smartdevice::Snapshot& snapshot, bool linkLost) {
             "were left alone.");
     if (doubts.isEmpty()) return StopWords::tr("There is no board that could be told.");
     QString warning = StopWords::tr("These may not have been told: %1. Look before you reach for them.")
-                                .arg(doubts.join(QStringLiteral(", ")));
+                          .arg(doubts.join(QStringLiteral(", ")));
     if (!anyTold) return warning;
     return StopWords::tr(
                "%1 To the duty cycles and speeds of all others zero was written, and they were "
