@@ -7,6 +7,7 @@
 #include "app/kickstandctl/interruption.h"
 #include "app/kickstandctl/output.h"
 #include "app/kickstandctl/words.h"
+#include "core/engine/describe_stop.h"
 
 namespace kickstand::ctl {
 namespace {
@@ -241,17 +242,27 @@ Outcome SessionRunner::trouble() const {
         return failed(errorOf(Errc::Cancelled, *context_.interruption.cause()));
     if (context_.output.failed()) return failed(errorOf(Errc::Cancelled, "the output cannot be written"));
     if (!running_) return {};
-    if (!watchesOnly_ && snapshot_->stop != StopReason::None) {
-        Failure failure = failed(errorOf(Errc::StopLatched)).value();
-        failure.text.what = Words::tr("Everything was stopped: %1.").arg(describe(snapshot_->stop));
-        failure.text.remedy = Words::tr("Put that right, then start the command again.");
-        return tl::unexpected(std::move(failure));
-    }
+    if (!watchesOnly_ && snapshot_->stop != StopReason::None) return tl::unexpected(stopped());
     if (session() == nullptr) return failed(errorOf(Errc::NotConnected));
     const Standing link = standing();
     if (link.failed && link.error) return failed(*link.error);
     if (!watchesOnly_ && link.searching) return failed(errorOf(Errc::Disconnected));
     return {};
+}
+
+Failure SessionRunner::stopped() const {
+    const StopReason reason = snapshot_->stop;
+    const SessionSnapshot* const current = session();
+    if (reason == StopReason::LinkLost && current != nullptr) {
+        // What is out of reach was not stopped.
+        Failure failure = failed(standing().error.value_or(errorOf(Errc::Disconnected))).value();
+        failure.text.what += u' ' + stoppedText(current->system, reason);
+        return failure;
+    }
+    Failure failure = failed(errorOf(Errc::StopLatched)).value();
+    failure.text.what = Words::tr("Everything was stopped: %1.").arg(describe(reason));
+    failure.text.remedy = Words::tr("Put that right, then start the command again.");
+    return failure;
 }
 
 const SessionSnapshot* SessionRunner::session() const {

@@ -84,6 +84,8 @@ class SessionRunner {
     /// How long the robots' being told, or their word that they stand, is waited for at the end.
     Duration brakeLimit() const;
     Outcome trouble() const;
+    /// Why a command that moves something ends when STOP is latched.
+    Failure stopped() const;
     bool atRest(TimePoint since) const;
     void refresh();
 

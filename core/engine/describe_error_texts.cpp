@@ -288,6 +288,16 @@ constexpr ErrorText kPlans[] = {
      QT_TRANSLATE_NOOP("Error",
                        "The robot confirmed something else than was sent[ ({subject})][: {detail}]."),
      QT_TRANSLATE_NOOP("Error",
+                       "Look at the robot: if it stands, stop the plan to be sure, and execute it again."),
+     "", "execute"},
+    {Errc::EchoDiffers,
+     QT_TRANSLATE_NOOP("Error",
+                       "The robot confirmed something else than was sent[ ({subject})][: {detail}]."),
+     QT_TRANSLATE_NOOP("Error", "Look at the robot: if it does not do it, ask again."), "", "adjust"},
+    {Errc::EchoDiffers,
+     QT_TRANSLATE_NOOP("Error",
+                       "The robot confirmed something else than was sent[ ({subject})][: {detail}]."),
+     QT_TRANSLATE_NOOP("Error",
                        "Send it again; if what is missing begins at a zero byte, the robot's program reads "
                        "its mailbox as text.")},
     {Errc::Unconfirmed,
@@ -302,6 +312,11 @@ constexpr ErrorText kPlans[] = {
                        "Nothing came back that says whether it arrived ({subject}), and it is not sent again "
                        "unasked."),
      QT_TRANSLATE_NOOP("Error", "Look at the robot: if it does not do it, ask again."), "", "adjust"},
+    {Errc::Unconfirmed,
+     QT_TRANSLATE_NOOP("Error",
+                       "It arrived, and nothing came back that says whether the robot obeys (adjust); it is "
+                       "not sent again unasked."),
+     QT_TRANSLATE_NOOP("Error", "Look at the robot: if it does not do it, ask again."), "", "adjust-arrived"},
     {Errc::Unconfirmed,
      QT_TRANSLATE_NOOP("Error",
                        "The robot has not confirmed that it stands, though it was told several times."),

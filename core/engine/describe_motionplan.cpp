@@ -122,7 +122,7 @@ Text planEvent(const motionplan::Event& event) {
             return warning(PlanWords::tr("%1: the robot confirmed something else: %2")
                                .arg(commandText(event.code), printable(event.text)));
         case EventKind::Unconfirmed:
-            return warning(PlanWords::tr("%1: nothing says whether it arrived; look at the robot")
+            return warning(PlanWords::tr("%1: nothing came back that confirms it; look at the robot")
                                .arg(commandText(event.code)));
         default:
             return {};

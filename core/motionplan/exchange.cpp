@@ -128,8 +128,8 @@ void Exchange::echoed(TimePoint now) {
             if (phase_ != Phase::SlotAnswer) askSlot(now);
             break;
         case MessageKind::Adjust:
-            // The same: a robot that goes on executing says so.
-            enter(Phase::Status, now + kStatusLimit);
+            // The same: a robot that goes on executing says so, and again where the first was lost.
+            enter(Phase::Status, now + kObeyedLimit);
             break;
         default:
             enter(Phase::Verdict, now + kVerdictLimit);
@@ -183,7 +183,11 @@ void Exchange::giveUp(Errc code) {
     if (oddCopy_)
         differs(*oddCopy_);
     else
-        finish(fail(code, wire::name(request_.message.kind)));
+        finish(fail(code, arrivedOnly() ? "adjust-arrived" : wire::name(request_.message.kind)));
+}
+
+bool Exchange::arrivedOnly() const {
+    return request_.message.kind == MessageKind::Adjust && echoed_;
 }
 
 bool Exchange::received(ByteView bytes, TimePoint now) {

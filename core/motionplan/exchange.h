@@ -24,6 +24,8 @@ class Exchange {
     static constexpr Duration kDrainLimit = std::chrono::seconds(3);
     static constexpr Duration kEchoLimit = std::chrono::seconds(1);
     static constexpr Duration kStatusLimit = std::chrono::milliseconds(1500);
+    /// Two of the robot's statuses, for one may be lost.
+    static constexpr Duration kObeyedLimit = std::chrono::milliseconds(2500);
     static constexpr Duration kVerdictLimit = std::chrono::milliseconds(300);
     static constexpr int kAttempts = 3;
     static constexpr int kStopAttempts = 5;
@@ -93,6 +95,8 @@ class Exchange {
     void differs(const std::string& got);
     void giveUp(Errc code);
     bool neverAgain() const;
+    /// The copy of an Adjust has come, and no status.
+    bool arrivedOnly() const;
     int attemptsAllowed() const;
 
     Request request_;

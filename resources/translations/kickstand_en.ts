@@ -2213,6 +2213,10 @@
         <source>Switch it on, and check that both radio modules have the same channel and network.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>It arrived, and nothing came back that says whether the robot obeys (adjust); it is not sent again unasked.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>EventWords</name>
@@ -4436,10 +4440,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: nothing says whether it arrived; look at the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>executing %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4563,6 +4563,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>something that this program has no words for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: nothing came back that confirms it; look at the robot</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9168,10 +9172,6 @@ steps not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It may be executing: nothing came back. Look at the robot, and press Stop plan to be sure.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>plan %1, %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9181,6 +9181,10 @@ steps not known</source>
     </message>
     <message>
         <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may be executing: nothing that confirms it came back. Look at the robot, and press Stop plan to be sure.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -102,6 +102,19 @@ TEST_F(SimNxt, ALinkThatWasLeftBehindIsReplaced) {
     EXPECT_EQ(second.end().exitCode, 0);
 }
 
+TEST_F(SimNxt, ARobotThatIsOutOfReachIsNotSaidToHaveBeenStopped) {
+    EXPECT_EQ(plan({"create", "--slot", "4", "--plan", "9", "forward 1000, back 1000"}).exitCode, 0);
+    Program running({"--link", "serial:" + folder + "/nxt?protocol=motionplan", "--json", "motionplan",
+                     "execute", "--slot", "4", "--for", "60"});
+    ASSERT_TRUE(running.waitFor("executing"));
+    EXPECT_EQ(ctl({"unplug"}).exitCode, 0);
+    const Ended ended = running.end();
+    EXPECT_EQ(ended.exitCode, 1);
+    EXPECT_EQ(ended.err.find("Everything was stopped"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("STOP cannot reach it"), std::string::npos) << ended.err;
+    EXPECT_TRUE(show()[QStringLiteral("motion")].isObject());
+}
+
 TEST_F(SimNxt, APulledPlugIsSaid) {
     EXPECT_EQ(ctl({"unplug"}).exitCode, 0);
     const Ended ended = plan({"status"});

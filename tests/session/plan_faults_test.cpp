@@ -99,6 +99,28 @@ TEST(PlanFaults, AnAdjustThatWasLostIsNeverSentAgain) {
     EXPECT_TRUE(rig.session().active());
 }
 
+TEST(PlanFaults, AnAdjustWhoseStatusWasLostIsConfirmedByTheNext) {
+    Ready rig(PlanRig::kLong);
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    rig.simulate("lose-one-out", 2);
+    EXPECT_TRUE(rig.ask(AdjustSpeed{Wheels::BothForward, 50}));
+    EXPECT_EQ(rig.robot().speeds(), (std::array<double, 2>{1.5, 1.5}));
+}
+
+TEST(PlanFaults, OfAnAdjustThatArrivedItIsNotSaidThatNothingCameBack) {
+    Ready rig(PlanRig::kLong);
+    ASSERT_TRUE(rig.ask(ExecutePlan{9, 4}));
+    const CommandId id = rig.give(AdjustSpeed{Wheels::BothForward, 50});
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.writtenOf(MessageKind::Adjust) == 1; }));
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.robot().speeds()[0] == 1.5; }));
+    rig.simulate("lose-next-out", 100);
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.answer(id).has_value(); }));
+    ASSERT_FALSE(*rig.answer(id));
+    EXPECT_EQ(rig.answer(id)->error().code, Errc::Unconfirmed);
+    EXPECT_EQ(rig.answer(id)->error().subject, "adjust-arrived");
+    EXPECT_EQ(rig.writtenOf(MessageKind::Adjust), 1U);
+}
+
 TEST(PlanFaults, AQueryIsAskedAgain) {
     Ready rig;
     rig.simulate("lose-next", 2);

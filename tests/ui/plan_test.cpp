@@ -423,8 +423,9 @@ TEST_F(PlanWindow, AnExecuteThatNothingAnswersIsLeftToThePerson) {
     ASSERT_TRUE(waitFor([this] { return state()->slotStates[0].plan == 1; }));
     bench->submit(SimPerform{"lose-next", -1, 1});
     click("planExecute0");
-    ASSERT_TRUE(
-        waitFor([this] { return text("planProgress").contains(QStringLiteral("nothing came back")); }));
+    ASSERT_TRUE(waitFor([this] {
+        return text("planProgress").contains(QStringLiteral("nothing that confirms it came back"));
+    }));
     ASSERT_TRUE(waitFor([this] {
         return text("planRobotNotice").contains(QStringLiteral("if it stands, stop the plan to be sure"));
     }));
@@ -432,9 +433,11 @@ TEST_F(PlanWindow, AnExecuteThatNothingAnswersIsLeftToThePerson) {
     EXPECT_EQ(text("planSlot0"), QStringLiteral("0: plan 1, may be executing\n1 step(s)"));
     EXPECT_TRUE(bench->isMoving());
     EXPECT_FALSE(find<QAbstractButton>("planExecute0")->isEnabled());
-    click("planStop");
+    client->stop(StopReason::Person);
     ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("planExecute0")->isEnabled(); }));
     EXPECT_EQ(text("planState"), QStringLiteral("At rest"));
+    ASSERT_TRUE(waitFor(
+        [this] { return !text("planRobotNotice").contains(QStringLiteral("stop the plan to be sure")); }));
     EXPECT_EQ(std::ranges::count(written.messages(), "03 01 00"), 1);
 }
 

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <utility>
 
 #include "core/base/hex.h"
 #include "core/engine/describe.h"
@@ -260,7 +261,8 @@ QString PlanRobotPanel::progressText(const Snapshot& snapshot) const {
     const Execution& execution = snapshot.execution;
     if (execution.state == Execution::State::Unsure)
         return tr(
-            "It may be executing: nothing came back. Look at the robot, and press Stop plan to be sure.");
+            "It may be executing: nothing that confirms it came back. Look at the robot, and press Stop plan "
+            "to be sure.");
     if (!snapshot.active())
         return snapshot.request ? tr("asking the robot, %n more waiting", nullptr,
                                      static_cast<int>(snapshot.request->waiting))
@@ -297,9 +299,19 @@ void PlanRobotPanel::refresh() {
     for (int slot = 0; slot < wire::kSlots; ++slot)
         refreshSlot(slot, snapshot);
     refreshTrigger(snapshot);
+    if (snapshot != nullptr) dropSettledRefusal(*snapshot);
     notice_->setText(refusal_);
     const bool gone = snapshot == nullptr || snapshot->outOfReach;
     setNote(gone ? QString() : describe(snapshot->execution.state));
+}
+
+void PlanRobotPanel::dropSettledRefusal(const Snapshot& snapshot) {
+    const Execution::State before = std::exchange(executed_, snapshot.execution.state);
+    const bool reconnected = std::exchange(connections_, snapshot.connections) != snapshot.connections;
+    const bool confirmed = std::exchange(stoppedAt_, snapshot.stopConfirmedAt) != snapshot.stopConfirmedAt;
+    const bool stopped = confirmed && before != Execution::State::Idle;
+    const bool sure = before == Execution::State::Unsure && executed_ != before;
+    if (reconnected || stopped || sure) refusal_.clear();
 }
 
 void PlanRobotPanel::refreshSlot(int slot, const Snapshot* snapshot) {

@@ -40,6 +40,8 @@ class PlanRobotPanel final : public Panel {
     void queryAll();
     void refresh();
     void refreshSlot(int slot, const motionplan::Snapshot* snapshot);
+    /// Takes away a refusal that Stop, the robot's own word or another connection has settled.
+    void dropSettledRefusal(const motionplan::Snapshot& snapshot);
     void refreshTrigger(const motionplan::Snapshot* snapshot);
     /// Why nothing can be asked of the robot now; empty where it can.
     QString obstacle(const motionplan::Snapshot* snapshot) const;
@@ -64,6 +66,9 @@ class PlanRobotPanel final : public Panel {
     QPushButton* adjust_;
     QLabel* notice_;
     QString refusal_;
+    motionplan::Execution::State executed_ = motionplan::Execution::State::Idle;  ///< When last shown.
+    TimePoint stoppedAt_{};
+    std::uint64_t connections_ = 0;
     bool starting_ = false;  ///< An Execute is not answered yet.
 };
 

@@ -129,7 +129,7 @@ TEST(DescribeError, ARefusalOfARobotWithPlansSaysWhatHelpsAgainstThatOne) {
 TEST(DescribeError, OnlyWhatIsNeverSentAgainIsSaidNotToBe) {
     Error error = errorOf(Errc::Unconfirmed);
     const std::string never = "not sent again unasked";
-    for (const char* subject : {"execute", "adjust"}) {
+    for (const char* subject : {"execute", "adjust", "adjust-arrived"}) {
         error.subject = subject;
         EXPECT_NE(lineOf(error).find(never), std::string::npos) << subject;
     }
@@ -137,6 +137,14 @@ TEST(DescribeError, OnlyWhatIsNeverSentAgainIsSaidNotToBe) {
         error.subject = subject;
         EXPECT_EQ(lineOf(error).find(never), std::string::npos) << subject;
     }
+    error.code = Errc::EchoDiffers;
+    for (const char* subject : {"execute", "adjust"}) {
+        error.subject = subject;
+        EXPECT_EQ(lineOf(error).find("Send it again"), std::string::npos) << subject;
+        EXPECT_NE(lineOf(error).find("Look at the robot"), std::string::npos) << subject;
+    }
+    error.subject = "create";
+    EXPECT_NE(lineOf(error).find("Send it again"), std::string::npos);
 }
 
 TEST(DescribeError, ARangeThatNoWholeNumbersNameStandsInTheSentence) {
