@@ -6489,6 +6489,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>not heard any more</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not listened to while paired</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::Connector</name>

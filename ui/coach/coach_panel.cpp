@@ -341,6 +341,15 @@ void CoachPanel::showBoats(const Snapshot& snapshot) {
     jettison_->setEnabled(paired && mayJettison_->isChecked());
 }
 
+QString CoachPanel::stateOf(const HeardBoat& boat, const Snapshot& snapshot) {
+    if (snapshot.coach.state == CoachState::Paired) {
+        return boat.team == snapshot.coach.boat ? tr("paired with this COACH")
+                                                : tr("not listened to while paired");
+    }
+    if (snapshot.time - boat.heard > coach::kPairedSilence) return tr("not heard any more");
+    return boat.coach ? tr("obeys COACH %1").arg(*boat.coach) : tr("available");
+}
+
 void CoachPanel::fillBoats(const Snapshot& snapshot) {
     const coach::CoachView& view = snapshot.coach;
     // A boat that is heard for the first time moves the others: the choice stays with its team.
@@ -349,13 +358,9 @@ void CoachPanel::fillBoats(const Snapshot& snapshot) {
     boats_->setRowCount(static_cast<int>(view.boats.size()));
     for (int row = 0; row < boats_->rowCount(); ++row) {
         const HeardBoat& boat = view.boats[static_cast<std::size_t>(row)];
-        const QString state = boat.team == view.boat && view.state == CoachState::Paired
-                                  ? tr("paired with this COACH")
-                              : snapshot.time - boat.heard > coach::kPairedSilence ? tr("not heard any more")
-                              : boat.coach ? tr("obeys COACH %1").arg(*boat.coach)
-                                           : tr("available");
         const QStringList texts{QString::number(boat.team), tr("%1 dBm").arg(signedNumber(boat.rssi_dBm)),
-                                tr("%1 s ago").arg(seconds(snapshot.time - boat.heard), 0, 'f', 0), state};
+                                tr("%1 s ago").arg(seconds(snapshot.time - boat.heard), 0, 'f', 0),
+                                stateOf(boat, snapshot)};
         for (int place = 0; place < texts.size(); ++place) {
             QTableWidgetItem* item = boats_->item(row, place);
             if (item == nullptr) boats_->setItem(row, place, item = new QTableWidgetItem);

@@ -44,6 +44,7 @@ class CoachPanel final : public Panel {
     void showHelm(const coach::Snapshot& snapshot);
     std::vector<float> moraleHistory(const coach::Snapshot& snapshot) const;
     void showCrew(const coach::Snapshot& snapshot);
+    static QString stateOf(const coach::HeardBoat& boat, const coach::Snapshot& snapshot);
     void fillBoats(const coach::Snapshot& snapshot);
     std::optional<coach::Team> chosenBoat() const;
     void pairChosen();

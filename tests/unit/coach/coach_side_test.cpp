@@ -481,7 +481,6 @@ TEST(CoachSide, OverALostLinkNothingWaits) {
     coach.wait(10000);
     EXPECT_EQ(coach.sent.size(), before);
     EXPECT_EQ(coach.side.view().timers.size(), 0U);
-    EXPECT_EQ(coach.side.view().timers.size(), 0U);
     EXPECT_EQ(coach.scheduler.pending(), 0U);
 }
 
