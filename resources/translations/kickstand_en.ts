@@ -5048,6 +5048,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>Noise</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Current drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>State</name>

@@ -57,6 +57,21 @@ TEST_F(SmartDeviceSafety, WhatDrivesIsStoppedWhenTheProgramStopsResponding) {
     EXPECT_EQ(stop_.reason(), StopReason::HeartbeatStale);
 }
 
+TEST_F(SmartDeviceSafety, TheSimulatedBatterySagsWhileAMotorSpinsUpAndRecovers) {
+    start("PolarBear,BatteryBuzzer");
+    constexpr int kBattery = 5;
+    const auto volts = [this] { return *wire::toNumber(sim_->board(1).value(kBattery)); };
+    const double rest_V = volts();
+    ASSERT_TRUE(write(numberOf(0), "duty_cycle", 1));
+    run(50ms);
+    EXPECT_LT(volts(), rest_V - 0.05);
+    pressStop();
+    run(10s);
+    EXPECT_NEAR(volts(), rest_V, 0.02);
+    ASSERT_TRUE(sim_->perform("current", 1, 20));
+    EXPECT_NEAR(volts(), rest_V - 1, 0.02);
+}
+
 TEST_F(SmartDeviceSafety, APositionDrivesUntilItsDeviceIsDisabled) {
     start("PolarBear,ServoControl");
     const int bear = numberOf(0);

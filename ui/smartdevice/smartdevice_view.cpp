@@ -160,6 +160,7 @@ QString SmartdeviceView::actionText(const SimAction& action) const {
         {"speed", QT_TRANSLATE_NOOP("SmartdeviceView", "Joint's speed")},
         {"battery", QT_TRANSLATE_NOOP("SmartdeviceView", "Battery")},
         {"imbalance", QT_TRANSLATE_NOOP("SmartdeviceView", "Imbalance")},
+        {"current", QT_TRANSLATE_NOOP("SmartdeviceView", "Current drawn")},
         {"tag", QT_TRANSLATE_NOOP("SmartdeviceView", "Tag near it")},
         {"load", QT_TRANSLATE_NOOP("SmartdeviceView", "Motor's load")},
     };

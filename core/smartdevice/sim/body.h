@@ -26,6 +26,11 @@ struct SimQuantity {
     double highest;
 };
 
+/// What the boards of one robot draw from its battery.
+struct Supply {
+    double drawn_A = 0;
+};
+
 /// What is on a board beside the protocol: its sensors and motors. Time passes as it is told. The simulator's
 /// thread.
 class Body {
@@ -44,6 +49,9 @@ class Body {
     virtual void advance(double /*span_s*/) {}
     /// Whether the board disables itself when its heartbeat requests are not answered.
     virtual bool wantsHeartbeats() const { return false; }
+
+    /// Shares a battery with the robot's other boards. Once, before time passes; it must outlive the body.
+    virtual void connectTo(Supply& /*supply*/) {}
 
     virtual std::vector<SimQuantity> quantities() const { return {}; }
     virtual std::optional<double> quantity(std::string_view /*name*/) const { return std::nullopt; }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/smartdevice/sim/body.h"
 
@@ -97,6 +98,8 @@ class MotorBody final : public Body {
         if (const double rest_s = span_s - steps * kStep_s; rest_s > 0) step(rest_s);
     }
 
+    void connectTo(Supply& supply) override { supply_ = &supply; }
+
     std::vector<SimQuantity> quantities() const override { return {{"load", "1", 0, 1}}; }
     std::optional<double> quantity(std::string_view name) const override {
         if (name != "load") return std::nullopt;
@@ -132,6 +135,7 @@ class MotorBody final : public Body {
         if (duty == 0 && std::abs(held_[Velocity]) < kFastest * 0.001) held_[Velocity] = 0;
         held_[Position] += held_[Velocity] * span_s;
         held_[Current] = std::abs(drawn) * kStall_A;
+        if (supply_ != nullptr) supply_->drawn_A += held_[Current] - std::exchange(told_A_, held_[Current]);
     }
 
     std::array<double, Places> held_{};
@@ -139,6 +143,8 @@ class MotorBody final : public Body {
     double load_ = 0;
     double integral_ = 0;
     double lastError_ = 0;
+    Supply* supply_ = nullptr;
+    double told_A_ = 0;  ///< Of the supply's sum.
 };
 
 }  // namespace

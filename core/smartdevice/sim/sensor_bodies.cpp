@@ -104,7 +104,8 @@ class EncoderBody final : public Sensor {
     double speed_ = 220;
 };
 
-/// Three cells that empty slowly, and not quite together.
+/// Three cells that empty as current is drawn, and not quite together. Under load they sag, and recover after
+/// it.
 class BatteryBody final : public Sensor {
   public:
     const std::vector<SimParameter>& parameters() const override {
@@ -131,30 +132,47 @@ class BatteryBody final : public Sensor {
                 return static_cast<float>(first + second + third);
         }
     }
-    void advance(double span_s) override { battery_V_ = std::max(9.0, battery_V_ - span_s * 0.0005); }
+    void advance(double span_s) override {
+        const double emptied_V = span_s * (kOwn_A + drawn_A()) * kPerAmpereSecond_V;
+        battery_V_ = std::max(kEmpty_V, battery_V_ - emptied_V);
+    }
+    void connectTo(Supply& supply) override { supply_ = &supply; }
     std::vector<SimQuantity> quantities() const override {
-        return {{"battery", "V", 9, 12.6}, {"imbalance", "V", 0, 1}};
+        return {{"battery", "V", kEmpty_V, 12.6}, {"imbalance", "V", 0, 1}, {"current", "A", 0, 30}};
     }
     std::optional<double> quantity(std::string_view name) const override {
+        if (name == "current") return current_A_;
         return name == "battery" ? battery_V_ : imbalance_V_;
     }
     void setQuantity(std::string_view name, double value) override {
-        (name == "battery" ? battery_V_ : imbalance_V_) = value;
+        double& held = name == "current" ? current_A_ : name == "battery" ? battery_V_ : imbalance_V_;
+        held = value;
     }
 
   private:
+    static constexpr double kEmpty_V = 9;
+    static constexpr double kResistance_Ohm = 0.05;
+    /// What the boards and the radio take, whatever moves.
+    static constexpr double kOwn_A = 1.5;
+    /// Three ampere-hours from full to empty.
+    static constexpr double kPerAmpereSecond_V = 3.6 / (3 * 3600);
+
+    double drawn_A() const { return current_A_ + (supply_ == nullptr ? 0 : supply_->drawn_A); }
+    double terminals_V() const { return battery_V_ - drawn_A() * kResistance_Ohm; }
     std::array<double, 3> cells() const {
-        const double each = battery_V_ / 3;
+        const double each = terminals_V() / 3;
         return {each + imbalance_V_ / 2, each, each - imbalance_V_ / 2};
     }
     bool isUnsafe() const {
         constexpr double kLowest_V = 10.5;
         constexpr double kMostImbalance_V = 0.3;
-        return battery_V_ < kLowest_V || imbalance_V_ > kMostImbalance_V;
+        return terminals_V() < kLowest_V || imbalance_V_ > kMostImbalance_V;
     }
 
-    double battery_V_ = 11.8;
+    double battery_V_ = 11.8;  ///< With nothing drawn.
     double imbalance_V_ = 0.03;
+    double current_A_ = 0;  ///< Beside what the motors draw.
+    Supply* supply_ = nullptr;
 };
 
 class RfidBody final : public Sensor {

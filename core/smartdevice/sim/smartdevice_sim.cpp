@@ -118,6 +118,7 @@ SmartDeviceSim::SmartDeviceSim(Scheduler& scheduler, const SmartDeviceSimOptions
         boards_.push_back(std::make_unique<BoardSim>(scheduler, uidOf(kind, board.dialect, number),
                                                      kind.make(), options.boot,
                                                      options.seed + static_cast<std::uint32_t>(number)));
+        boards_.back()->body().connectTo(supply_);
         boards_.back()->setLongestData(options.longestData);
         kinds_.push_back(board.kind);
     }

@@ -56,6 +56,7 @@ class SmartDeviceSim final : public SimControl {
   private:
     Result<void> performOn(std::string_view action, int unit, double value);
 
+    Supply supply_;
     std::vector<std::unique_ptr<BoardSim>> boards_;
     std::vector<std::string> kinds_;
     std::function<void()> plugged_;
