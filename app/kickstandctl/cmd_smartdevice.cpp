@@ -181,12 +181,31 @@ bool holds(const DeviceState& device, const WriteRequest& request) {
     });
 }
 
+/// Whether the board tells zero of what it had taken and what drives: it disabled itself.
+bool stoppedItself(const DeviceState& device, const WriteRequest& request) {
+    return std::ranges::any_of(request.values, [&](const auto& one) {
+        const auto at = static_cast<std::size_t>(one.first);
+        const smartdevice::ParameterState& parameter = device.parameters.at(at);
+        return device.spec->parameters.at(at).zeroOnStop &&
+               parameter.verdict == smartdevice::WriteVerdict::Done &&
+               smartdevice::wire::toNumber(one.second) != 0.0 && parameter.value &&
+               smartdevice::wire::toNumber(*parameter.value) == 0.0;
+    });
+}
+
+QString whyNotHeld(const DeviceState& device, const WriteRequest& request) {
+    const QString name = QString::fromStdString(device.spec->name);
+    if (holds(device, request)) return Words::tr("%1 stopped by itself meanwhile.").arg(name);
+    return Words::tr("%1 began anew meanwhile: what was written is gone.").arg(name);
+}
+
 /// Waits as long as what was written is to last. Fails as soon as it does not hold any more.
 Outcome hold(SessionRunner& runner, int number, const WriteRequest& request, Duration span) {
     const auto ended = runner.waitUntil(
         [&] {
             const DeviceState& device = deviceOf(runner, number);
-            return device.presence == smartdevice::Presence::Lost || !holds(device, request);
+            return device.presence == smartdevice::Presence::Lost || !holds(device, request) ||
+                   stoppedItself(device, request);
         },
         span);
     if (!ended) return tl::unexpected(ended.error());
@@ -194,9 +213,8 @@ Outcome hold(SessionRunner& runner, int number, const WriteRequest& request, Dur
     const DeviceState& device = deviceOf(runner, number);
     Failure failure = failed({.code = Errc::Disconnected, .subject = device.spec->name}).value();
     if (device.presence != smartdevice::Presence::Lost)
-        failure.text = {Words::tr("%1 began anew meanwhile: what was written is gone.")
-                            .arg(QString::fromStdString(device.spec->name)),
-                        Words::tr("Check its power supply, then write it again."),
+        failure.text = {whyNotHeld(device, request),
+                        Words::tr("Check its power supply and its cable, then write it again."),
                         {}};
     return tl::unexpected(std::move(failure));
 }

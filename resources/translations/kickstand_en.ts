@@ -12445,10 +12445,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check its power supply, then write it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: told to stop: %2.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12462,6 +12458,14 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>Plug one in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stopped by itself meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its power supply and its cable, then write it again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

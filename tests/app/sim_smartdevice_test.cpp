@@ -169,6 +169,18 @@ TEST_F(SimSmartDevice, AWriteFailsWhenItsBoardBeginsAnew) {
     EXPECT_NE(ended.err.find("PolarBear"), std::string::npos) << ended.err;
 }
 
+TEST_F(SimSmartDevice, AWriteFailsWhenItsBoardStopsByItself) {
+    Program program(driving());
+    ASSERT_TRUE(eventually([this] { return dutyCycle() == 0.5; }));
+    ASSERT_EQ(ctl({"silent", "0", "1"}).exitCode, 0);
+    // Nobody answers its heartbeat requests, for it hears nothing.
+    ASSERT_TRUE(eventually([this] { return dutyCycle() == 0; }));
+    ASSERT_EQ(ctl({"silent", "0", "0"}).exitCode, 0);
+    const Ended ended = program.end();
+    EXPECT_EQ(ended.exitCode, 1) << ended.out;
+    EXPECT_NE(ended.err.find("stopped by itself"), std::string::npos) << ended.err;
+}
+
 TEST_F(SimSmartDevice, WhySubscribedUpdatesStayAwayIsTold) {
     Program watching({"--link", "serial:" + port_.string() + "?protocol=smartdevice", "--json", "smartdevice",
                       "subscribe", "PolarBear", "enc_pos"});
