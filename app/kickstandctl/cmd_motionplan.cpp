@@ -26,19 +26,31 @@ tl::unexpected<Failure> planMissing() {
                     Words::tr("Write it, as in \"forward 25, turn left 84\", or name a file with --file."));
 }
 
-/// Connects, and waits until the robot has answered.
-Outcome begin(SessionRunner& runner) {
+Outcome connectRobot(SessionRunner& runner) {
     if (auto connected = runner.connect(); !connected) return connected;
-    const auto& state = [&runner]() -> const motionplan::Snapshot& {
-        return runner.stateOf<motionplan::Snapshot>();
-    };
-    if (state().connections == 0)
+    if (runner.stateOf<motionplan::Snapshot>().connections == 0)
         return badUsage(Words::tr("This link does not lead to a robot with motion plans."),
                         Words::tr("Name one, as in --link serial:/dev/rfcomm0?protocol=motionplan."));
-    const auto answers = runner.waitUntil([&] { return state().answers; }, kAnswerLimit);
+    return {};
+}
+
+/// Connects, and waits until the robot has answered.
+Outcome begin(SessionRunner& runner) {
+    if (auto connected = connectRobot(runner); !connected) return connected;
+    const auto answers =
+        runner.waitUntil([&runner] { return runner.stateOf<motionplan::Snapshot>().answers; }, kAnswerLimit);
     if (!answers) return tl::unexpected(answers.error());
     if (!*answers) return failed({.code = Errc::TimedOut, .subject = "robot"});
     return {};
+}
+
+/// Says what the robot does when it is let go of, which it does after a command that failed as well.
+void tellClosing(const Context& context, const motionplan::Snapshot& robot) {
+    if (robot.connections == 0) return;
+    QJsonObject facts;
+    addClosing(facts, robot);
+    context.output.value(facts);
+    if (const QString closing = closingText(robot); !closing.isEmpty()) context.output.line(closing);
 }
 
 /// What a command with one answer does: connects, does it, shows how it left the robot, and leaves it so.
@@ -47,8 +59,12 @@ Outcome once(const Context& context, Do act) {
     SessionRunner runner(context);
     Outcome outcome = begin(runner);
     if (outcome) outcome = act(runner);
-    if (outcome) askForTrigger(runner);
-    if (outcome) showRobot(context.output, runner.uri(), runner.stateOf<motionplan::Snapshot>());
+    askForTrigger(runner);
+    const motionplan::Snapshot& robot = runner.stateOf<motionplan::Snapshot>();
+    if (outcome)
+        showRobot(context.output, runner.uri(), robot);
+    else
+        tellClosing(context, robot);
     runner.leave();
     return outcome;
 }
@@ -117,11 +133,10 @@ Outcome status(const Context& context) {
 
 Outcome stop(const Context& context) {
     SessionRunner runner(context);
-    Outcome outcome = begin(runner);
-    motionplan::Snapshot robot;
-    if (outcome) robot = stopAndAsk(runner);
+    // Not after an answer: a robot that is silent may hear.
+    if (auto connected = connectRobot(runner); !connected) return connected;
+    const motionplan::Snapshot robot = stopAndAsk(runner);
     const bool stopped = runner.finish();
-    if (!outcome) return outcome;
     QJsonObject facts{{QStringLiteral("stopped"), stopped}};
     addClosing(facts, robot);
     context.output.value(facts);
@@ -194,7 +209,8 @@ Outcome beginMotionplan(SessionRunner& runner) {
 }
 
 void askForTrigger(SessionRunner& runner) {
-    if (runner.stateOf<motionplan::Snapshot>().trigger.known) return;
+    const motionplan::Snapshot& robot = runner.stateOf<motionplan::Snapshot>();
+    if (robot.trigger.known || !robot.answers) return;
     static_cast<void>(runner.perform(motionplan::ReadTrigger{}, kRequestLimit));
 }
 

@@ -47,6 +47,8 @@ QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<F
     if (outcome && !braked) {
         if (onBoards)
             outcome = notStopped(runner);
+        else if (onNxt)
+            outcome = failed({.code = Errc::Unconfirmed, .subject = "stop"});
         else
             outcome = failed({.code = Errc::TimedOut, .subject = toString(uri)});
     }
@@ -58,7 +60,6 @@ QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<F
     }
     if (outcome) {
         context.output.line(stoppedText(link, system));
-        if (!closing.isEmpty()) context.output.line(closing);
         for (const smartdevice::PortState& port : boardsOf(runner).ports) {
             if (const QString trouble = troubleOf(port); !trouble.isEmpty()) context.output.line(trouble);
         }
@@ -66,6 +67,7 @@ QJsonObject stopLink(const Context& context, const LinkUri& uri, std::optional<F
         json[QStringLiteral("error")] = toJson(outcome.error());
         if (!failure) failure = outcome.error();
     }
+    if (!closing.isEmpty()) context.output.line(closing);
     return json;
 }
 

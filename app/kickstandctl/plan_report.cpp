@@ -102,7 +102,9 @@ void showRobot(Output& output, const LinkUri& uri, const motionplan::Snapshot& s
             rows.append(keptRow(Words::tr("slot %1").arg(slot), state.slotStates[slot]));
     }
     if (state.trigger.known) rows.append(keptRow(Words::tr("trigger"), state.trigger));
-    QString doing = describe(state.execution.state);
+    QString doing = state.nxtStatus == motionplan::wire::kStatusNoProgram
+                        ? Words::tr("no program is running on the NXT")
+                        : describe(state.execution.state);
     if (state.active())
         doing = Words::tr("%1 plan %2 in slot %3, step %4")
                     .arg(doing)

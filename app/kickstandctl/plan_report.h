@@ -24,7 +24,7 @@ QString closingText(const motionplan::Snapshot& state);
 
 /// Connects, and waits until the robot has answered.
 Outcome beginMotionplan(SessionRunner& runner);
-/// Asks for the trigger plan, where it is not known. No answer leaves it so.
+/// Asks a robot that answers for its trigger plan, where that is not known. No answer leaves it so.
 void askForTrigger(SessionRunner& runner);
 /// Sends Stop at once, whether anything executes or not, and asks for the trigger plan then. What is known
 /// afterwards; whether Stop was confirmed the end of the run tells.

@@ -12468,5 +12468,9 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
         <source>Check its power supply and its cable, then write it again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no program is running on the NXT</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>

@@ -82,6 +82,29 @@ TEST_F(SimNxt, StartsItsTriggerPlanWhenTheProgramLetsGo) {
     EXPECT_EQ(adjusted.values().back()[QStringLiteral("starts_when_closed")], 7);
 }
 
+TEST_F(SimNxt, ARefusedCommandSaysAsWellWhatLettingGoStarts) {
+    EXPECT_EQ(plan({"trigger", "--plan", "7", "back 50"}).exitCode, 0);
+    EXPECT_EQ(plan({"create", "--slot", "4", "--plan", "9", "forward 25"}).exitCode, 0);
+    const Ended refused = plan({"create", "--slot", "4", "--plan", "8", "forward 1"});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_EQ(refused.values().back()[QStringLiteral("starts_when_closed")], 7);
+}
+
+TEST_F(SimNxt, StopReachesARobotThatCannotBeHeard) {
+    EXPECT_EQ(plan({"create", "--slot", "4", "--plan", "9", "forward 1000, back 1000"}).exitCode, 0);
+    Program running({"--link", "serial:" + folder + "/nxt?protocol=motionplan", "--json", "motionplan",
+                     "execute", "--slot", "4", "--for", "60"});
+    ASSERT_TRUE(running.waitFor("executing"));
+    running.signal(SIGKILL);
+    static_cast<void>(running.end());
+    EXPECT_EQ(ctl({"reply-loss", "1"}).exitCode, 0);
+    EXPECT_EQ(show()[QStringLiteral("motion")][QStringLiteral("plan")], 9) << "it goes on";
+    const Ended stopped = plan({"stop"});
+    EXPECT_EQ(stopped.exitCode, 1);
+    EXPECT_NE(stopped.err.find("has not confirmed that it stands"), std::string::npos) << stopped.err;
+    EXPECT_FALSE(show()[QStringLiteral("motion")].isObject()) << "it heard";
+}
+
 TEST_F(SimNxt, ItsPortIsNotTakenFromIt) {
     const Ended second =
         run({"motionplan", "--pty", folder + "/nxt", "--control", folder + "/other.sock"}, KICKSTAND_SIM);
