@@ -45,9 +45,9 @@ Outcome begin(SessionRunner& runner) {
 }
 
 /// Says what the robot does when it is let go of, which it does after a command that failed as well.
-void tellClosing(const Context& context, const motionplan::Snapshot& robot) {
+void tellClosing(const Context& context, const motionplan::Snapshot& robot, const Failure& failure) {
     if (robot.connections == 0) return;
-    QJsonObject facts;
+    QJsonObject facts{{QStringLiteral("error"), toJson(failure)}};
     addClosing(facts, robot);
     context.output.value(facts);
     if (const QString closing = closingText(robot); !closing.isEmpty()) context.output.line(closing);
@@ -64,7 +64,7 @@ Outcome once(const Context& context, Do act) {
     if (outcome)
         showRobot(context.output, runner.uri(), robot);
     else
-        tellClosing(context, robot);
+        tellClosing(context, robot, outcome.error());
     runner.leave();
     return outcome;
 }
@@ -137,13 +137,15 @@ Outcome stop(const Context& context) {
     if (auto connected = connectRobot(runner); !connected) return connected;
     const motionplan::Snapshot robot = stopAndAsk(runner);
     const bool stopped = runner.finish();
+    Outcome outcome;
+    if (!stopped) outcome = failed({.code = Errc::Unconfirmed, .subject = "stop"});
     QJsonObject facts{{QStringLiteral("stopped"), stopped}};
     addClosing(facts, robot);
+    if (!outcome) facts[QStringLiteral("error")] = toJson(outcome.error());
     context.output.value(facts);
     if (stopped) context.output.line(Words::tr("The robot stands, as it says itself."));
     if (const QString closing = closingText(robot); !closing.isEmpty()) context.output.line(closing);
-    if (!stopped) return failed({.code = Errc::Unconfirmed, .subject = "stop"});
-    return {};
+    return outcome;
 }
 
 constexpr OptionSpec kSlot{"--slot", "N", QT_TRANSLATE_NOOP("kickstandctl", "0-4"), true};

@@ -183,6 +183,11 @@ bool holds(const DeviceState& device, const WriteRequest& request) {
 
 /// Whether the board tells zero of what it had taken and what drives: it disabled itself.
 bool stoppedItself(const DeviceState& device, const WriteRequest& request) {
+    // Of several set points one takes over from another, whose zero then says nothing.
+    const auto moves = [&](const auto& one) {
+        return device.spec->parameters.at(static_cast<std::size_t>(one.first)).moves;
+    };
+    if (std::ranges::count_if(request.values, moves) != 1) return false;
     return std::ranges::any_of(request.values, [&](const auto& one) {
         const auto at = static_cast<std::size_t>(one.first);
         const smartdevice::ParameterState& parameter = device.parameters.at(at);

@@ -88,6 +88,7 @@ TEST_F(SimNxt, ARefusedCommandSaysAsWellWhatLettingGoStarts) {
     const Ended refused = plan({"create", "--slot", "4", "--plan", "8", "forward 1"});
     EXPECT_EQ(refused.exitCode, 1);
     EXPECT_EQ(refused.values().back()[QStringLiteral("starts_when_closed")], 7);
+    EXPECT_TRUE(refused.values().back()[QStringLiteral("error")].isObject()) << refused.out;
 }
 
 TEST_F(SimNxt, StopReachesARobotThatCannotBeHeard) {

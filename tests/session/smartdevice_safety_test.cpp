@@ -68,6 +68,12 @@ TEST_F(SmartDeviceSafety, TheSimulatedBatterySagsWhileAMotorSpinsUpAndRecovers) 
     pressStop();
     run(10s);
     EXPECT_NEAR(volts(), rest_V, 0.02);
+    stop_.rearm();
+    ASSERT_TRUE(write(numberOf(0), "duty_cycle", 1));
+    run(50ms);
+    EXPECT_LT(volts(), rest_V - 0.05);
+    ASSERT_TRUE(sim_->perform("plugged", 0, 0));
+    EXPECT_NEAR(volts(), rest_V, 0.02) << "what is pulled out draws nothing";
     ASSERT_TRUE(sim_->perform("current", 1, 20));
     EXPECT_NEAR(volts(), rest_V - 1, 0.02);
 }

@@ -163,6 +163,7 @@ void BoardSim::sample() {
 
 void BoardSim::beat() {
     arm(beatTimer_, kBeatEvery, &BoardSim::beat);
+    advance();
     if (++unanswered_ > kMostUnanswered && !disabled_) {
         ++report_.selfDisables;
         disableSelf();

@@ -87,6 +87,7 @@ class MotorBody final : public Body {
         held_[CurrentLimit] = kHardware_A;
         held_[Position] = position;
         mode_ = Mode::Duty;
+        if (supply_ != nullptr) supply_->drawn_A -= std::exchange(told_A_, 0);
     }
 
     bool wantsHeartbeats() const override { return true; }
