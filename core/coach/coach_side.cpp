@@ -52,15 +52,15 @@ void CoachSide::begin(Team team, wire::TeamColor color) {
 }
 
 void CoachSide::end(Unpairing why) {
-    if (state_ == CoachState::Off) return;
-    // A boat that was steered is told to stand; over a lost link nothing reaches it.
-    if (state_ == CoachState::Paired) {
-        stopFor_ = boat_;
-        unpair(why);
-    }
-    if (why == Unpairing::LinkLost) {
+    const bool reachable = why != Unpairing::LinkLost;
+    if (!reachable) {
         stopFor_.reset();
         jettisonFor_.reset();
+    }
+    if (state_ == CoachState::Off) return;
+    if (state_ == CoachState::Paired) {
+        if (reachable) stopFor_ = boat_;
+        unpair(why);
     }
     assertWaits_ = false;
     boat_.reset();

@@ -130,7 +130,7 @@ void KickLog::measureFrom(int robot, KickRecord& record, TimePoint time) {
     known.recent.roll(time);
     record.measure = KickMeasure::Waiting;
     record.before_V = autokick ? known.recent.peak_V() : known.recent.last_V;
-    known.open = Open{record.number, known.recent.last_V, {}, {}};
+    known.open = Open{record.number, {}, {}};
     if (autokick) fall(record, *known.open, known.recent.lowest_V, time);
     known.recent.restart(time, known.recent.last_V);
 }
@@ -151,9 +151,8 @@ void KickLog::reading(int robot, double volts, TimePoint time) {
     if (!known.open) return;
     KickRecord& record = recordOf(*known.open);
     if (record.measure == KickMeasure::Waiting) {
-        // The charger may go on until the kick comes.
-        record.before_V = std::max(*record.before_V, volts);
-        known.open->lowest_V = std::min(known.open->lowest_V, volts);
+        // The charger may go on until the kick comes; an autokick has come already.
+        if (record.cause != KickCause::Autokick) record.before_V = std::max(*record.before_V, volts);
         fall(record, *known.open, volts, time);
         publish();
         return;
@@ -203,7 +202,8 @@ void KickLog::advance(int robot, TimePoint time) {
     KickRecord& record = recordOf(*known.open);
     if (record.measure == KickMeasure::Waiting) {
         if (time - record.time < kDropLimit) return;
-        record.after_V = known.open->lowest_V;
+        // A lower reading from before may be the charger's doing, and is no drop.
+        record.after_V = record.before_V;
         finish(robot, KickMeasure::NoDrop, time);
         return;
     }

@@ -70,7 +70,6 @@ class KickLog final : public SampleSink {
     /// A measurement under way: the record's place and what is not part of it.
     struct Open {
         std::uint64_t number = 0;
-        double lowest_V = 0;
         TimePoint fellAt{};
         std::optional<TimePoint> crossedAt;
     };

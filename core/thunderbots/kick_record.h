@@ -20,7 +20,7 @@ enum class KickMeasure : std::uint8_t {
     Waiting,       ///< The voltage has not fallen yet.
     Recharging,    ///< It has fallen; `after_V` is the lowest so far.
     Recharged,     ///< Complete.
-    NoDrop,        ///< It did not fall: `after_V` is what it stayed at.
+    NoDrop,        ///< It did not fall: `after_V` is `before_V`.
     NotRecharged,  ///< It fell and did not come back in time.
     Overtaken,     ///< Another kick of the robot came too soon: what was not known by then is nobody's.
     Lost,          ///< The readings stopped, or nobody knew the voltage to begin with: not measured.

@@ -470,6 +470,15 @@ TEST(CoachSide, AStopThatWaitsOutlivesTheRole) {
     EXPECT_EQ(coach.sent.back().message, (wire::Message{Opcode::Velocity, 0}));
 }
 
+TEST(CoachSide, ALinkLostAfterTheRoleLeavesNothingWaiting) {
+    Coach coach;
+    coach.pairAtStart();
+    coach.side.end(Unpairing::RoleEnded);
+    ASSERT_TRUE(coach.side.stopWaits());
+    coach.side.end(Unpairing::LinkLost);
+    EXPECT_FALSE(coach.side.stopWaits());
+}
+
 TEST(CoachSide, OverALostLinkNothingWaits) {
     Coach coach;
     coach.pairAtStart();

@@ -242,6 +242,26 @@ TEST_F(KickLogTest, AnAutokickThatIsToldOfBeforeItsDropIsToo) {
     EXPECT_DOUBLE_EQ(*newest().drop_V(), 69);
 }
 
+TEST_F(KickLogTest, WhatIsChargedAfterAnAutokickIsNoDrop) {
+    reading(48);
+    now += 5s;
+    hear(EventKind::Autokick, 1);
+    readings({70, 95, 120, 140}, 400ms);
+    log.tick(now);
+    EXPECT_EQ(newest().measure, KickMeasure::NoDrop);
+    EXPECT_DOUBLE_EQ(*newest().before_V, 48);
+    EXPECT_DOUBLE_EQ(*newest().drop_V(), 0);
+}
+
+TEST_F(KickLogTest, WhatIsChargedWhileAKickDoesNotComeIsNoDrop) {
+    reading(150);
+    kick();
+    readings({160, 170, 180, 190}, 400ms);
+    log.tick(now);
+    EXPECT_EQ(newest().measure, KickMeasure::NoDrop);
+    EXPECT_DOUBLE_EQ(*newest().drop_V(), 0);
+}
+
 TEST_F(KickLogTest, AHighReadingOfLongAgoIsNotBeforeAnAutokick) {
     reading(219);
     now += 1s;
