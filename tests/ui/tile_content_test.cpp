@@ -139,14 +139,47 @@ TEST(TileContent, ItIsReadAsASentence) {
     RobotState state = robot(15.9, 212);
     state.readings.ball = true;
     const TileContent tile = tileContent(3, state, true, kNow);
-    EXPECT_EQ(tile.accessible,
-              QStringLiteral("Robot 3, battery 15.9 V, capacitor 212 V, live, ball, braked, chosen"));
+    EXPECT_EQ(tile.accessible, QStringLiteral("Robot 3, battery 15.9 V, capacitor 212 V, live, ball, braked, "
+                                              "radio ok \u00b7 now, chosen"));
+}
+
+TEST(TileContent, ARobotThatIsHeardSaysByWhatAndThatItsReadingsAreOfNow) {
+    RobotState state = robot(15.9, 0);
+    state.capacitor->at = kNow - std::chrono::minutes(5);
+    EXPECT_EQ(tileContent(0, state, false, kNow).state, QStringLiteral("radio ok \u00b7 now"));
+    EXPECT_EQ(tileContent(0, state, false, kNow).stateShort, QStringLiteral("now"));
+    TileMarks cable;
+    cable.cable = true;
+    EXPECT_EQ(tileContent(0, state, false, kNow, cable).state, QStringLiteral("cable ok \u00b7 now"));
+}
+
+TEST(TileContent, ARobotThatIsHeardWithoutValidReadingsIsNotCalledLost) {
+    RobotState state = lost(12, std::chrono::seconds(3));
+    state.live = true;
+    EXPECT_EQ(tileContent(0, state, false, kNow).state, QStringLiteral("heard, readings 3 s old"));
+}
+
+TEST(ReadingsTip, SaysHowTheRobotIsHeardAndHowOldTheReadingsAre) {
+    RobotState state = robot(15.9, 212);
+    state.capacitor->at = kNow - std::chrono::seconds(7);
+    EXPECT_TRUE(readingsTip(3, state, kNow).contains(QStringLiteral("radio now")));
+    EXPECT_TRUE(readingsTip(3, state, kNow).contains(QStringLiteral("last changed 7 s ago")));
+    TileMarks cable;
+    cable.cable = true;
+    EXPECT_TRUE(readingsTip(3, state, kNow, cable).contains(QStringLiteral("cable now")));
+    EXPECT_TRUE(readingsTip(3, lost(12, std::chrono::seconds(9)), kNow).contains(QStringLiteral("Lost 9 s")));
+    RobotState waiting;
+    waiting.live = true;
+    waiting.freshness = Freshness::Waiting;
+    EXPECT_TRUE(readingsTip(3, waiting, kNow).contains(QStringLiteral("no readings yet")));
 }
 
 TEST(ReadingsTip, HasTheRawNumbers) {
     const RobotState state = robot(15.9, 212);
-    EXPECT_TRUE(readingsTip(3, state).contains(QStringLiteral("ADC %1").arg(state.feedback->battery_adc)));
-    EXPECT_TRUE(readingsTip(3, state).contains(QStringLiteral("ADC %1").arg(state.feedback->capacitor_adc)));
+    EXPECT_TRUE(
+        readingsTip(3, state, kNow).contains(QStringLiteral("ADC %1").arg(state.feedback->battery_adc)));
+    EXPECT_TRUE(
+        readingsTip(3, state, kNow).contains(QStringLiteral("ADC %1").arg(state.feedback->capacitor_adc)));
 }
 
 TEST(Words, RobotsAreListedInRuns) {

@@ -118,6 +118,24 @@ TEST_P(TileLayoutTest, ChargingAndAutokickAlwaysKeepTheirWords) {
     });
 }
 
+TEST_P(TileLayoutTest, HowARobotIsHeardAlwaysShows) {
+    forEveryState([](const RobotState& state) {
+        const TileContent tile = tileContent(15, state, false, kNow);
+        const TileLayout layout = layOutTile(tile, least());
+        EXPECT_FALSE(layout.radio.isNull()) << tile.accessible.toStdString();
+        EXPECT_TRUE(layout.stateText.isEmpty() || layout.stateText == tile.state ||
+                    layout.stateText == tile.stateShort)
+            << layout.stateText.toStdString();
+        const bool quiet = tile.chips.empty();
+        EXPECT_TRUE(!quiet || layout.stateText == tile.state) << layout.stateText.toStdString();
+    });
+    TileMarks cable;
+    cable.cable = true;
+    const TileContent wired = tileContent(15, robot(15.9, 0), false, kNow, cable);
+    EXPECT_EQ(layOutTile(wired, least()).stateText, wired.state);
+    EXPECT_TRUE(layOutTile(tileContent(15, RobotState{}, false, kNow), least()).radio.isNull());
+}
+
 TEST_P(TileLayoutTest, ALostLiveCapacitorIsSaidInFull) {
     RobotState state = robot(13.2, 219.4);
     state.live = false;

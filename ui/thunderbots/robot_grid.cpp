@@ -133,7 +133,7 @@ void RobotGrid::step(int robot, int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void RobotGrid::showTip(int robot) {
-    tile(robot)->setToolTip(readingsTip(robot, states_[static_cast<std::size_t>(robot)]));
+    tile(robot)->setToolTip(readingsTip(robot, states_[static_cast<std::size_t>(robot)], now_, marks_));
 }
 
 }  // namespace kickstand::ui

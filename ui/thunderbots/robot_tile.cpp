@@ -60,6 +60,21 @@ void drawDownMark(QPainter& painter, const QRectF& box, const QColor& ink) {
     painter.drawPolygon(QPolygonF{{box.topLeft(), box.topRight(), {box.center().x(), box.bottom()}}});
 }
 
+/// Waves from an antenna; struck through where nothing is heard any more.
+void drawRadio(QPainter& painter, const QRectF& box, bool heard, const QColor& ink) {
+    const QPointF foot(box.center().x(), box.bottom() - 1.5);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    painter.drawEllipse(foot, 1.5, 1.5);
+    painter.setPen(QPen(ink, 1.25, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(Qt::NoBrush);
+    for (const double radius : {4.0, 7.0}) {
+        const QSizeF size(2 * radius, 2 * radius);
+        painter.drawArc(QRectF(foot - QPointF(radius, radius), size), 45 * 16, 90 * 16);
+    }
+    if (!heard) painter.drawLine(box.topRight(), box.bottomLeft());
+}
+
 }  // namespace
 
 RobotTile::RobotTile(int robot, QWidget* parent) : QAbstractButton(parent) {
@@ -116,6 +131,8 @@ void RobotTile::paintEvent(QPaintEvent*) {
     painter.setFont(tileNumberFont());
     painter.setPen(content_.live ? t.text : t.muted);
     painter.drawText(places.number, kLine, QString::number(content_.robot));
+    if (!places.radio.isNull())
+        drawRadio(painter, places.radio, content_.live, content_.live ? t.ok : t.muted);
     const bool strong = content_.moving || !content_.oddBy.isEmpty();
     painter.setFont(tileWordFont(strong));
     painter.setPen(strong ? t.text : t.muted);

@@ -85,15 +85,21 @@ void addCapacitor(TileContent& tile, const RobotState& state) {
 
 void addStale(TileContent& tile, const RobotState& state, TimePoint now) {
     const QString age = ageText(now - state.currentUntil);
+    // Heard, and yet without readings that are valid.
+    if (state.live) tile.state = TileText::tr("heard, readings %1 old").arg(age);
     if (tile.capacitorLive) {
         tile.chips.push_back(
             {TileText::tr("last seen %1 ago: treat as live").arg(age), TileContent::Weight::Danger});
-    } else {
+    } else if (!state.live) {
         tile.state = TileText::tr("last seen %1 ago").arg(age);
     }
 }
 
-void addCurrent(TileContent& tile, const RobotState& state) {
+/// Unchanged readings are not sent again: those of a robot that is heard are of now, however long ago they
+/// came.
+void addCurrent(TileContent& tile, const RobotState& state, bool cable) {
+    tile.state = cable ? TileText::tr("cable ok \u00b7 now") : TileText::tr("radio ok \u00b7 now");
+    tile.stateShort = TileText::tr("now");
     addChips(tile, state.readings, state.told.value_or(wire::brakedBlock()));
     if (state.told) addTold(tile, *state.told);
 }
@@ -115,6 +121,20 @@ QString sentence(const TileContent& tile) {
     if (!tile.oddBy.isEmpty()) parts << TileText::tr("the only one %1").arg(tile.oddBy);
     if (tile.chosen) parts << TileText::tr("chosen");
     return parts.join(QStringLiteral(", "));
+}
+
+QString hearingTip(const RobotState& state, TimePoint now, bool cable) {
+    if (state.freshness == Freshness::Stale) {
+        const QString old = state.live ? TileText::tr("Heard, but its readings have not been valid for %1.")
+                                       : TileText::tr("Lost %1 ago: the readings are of before.");
+        return old.arg(ageText(now - state.currentUntil));
+    }
+    const QString heard = cable ? TileText::tr("Heard over the cable now.")
+                                : TileText::tr("Heard by the dongle\u2019s radio now.");
+    if (!state.capacitor) return heard;
+    // A block is sent when it differs from the one before.
+    return heard + u' ' +
+           TileText::tr("The readings last changed %1 ago.").arg(ageText(now - state.capacitor->at));
 }
 
 }  // namespace
@@ -146,7 +166,7 @@ TileContent tileContent(int robot, const RobotState& state, bool chosen, TimePoi
             tile.state = TileText::tr("heard, no readings yet");
             break;
         case Freshness::Current:
-            addCurrent(tile, state);
+            addCurrent(tile, state, marks.cable);
             break;
         case Freshness::Stale:
             addStale(tile, state, now);
@@ -156,12 +176,14 @@ TileContent tileContent(int robot, const RobotState& state, bool chosen, TimePoi
     return tile;
 }
 
-QString readingsTip(int robot, const RobotState& state) {
+QString readingsTip(int robot, const RobotState& state, TimePoint now, const TileMarks& marks) {
+    if (state.freshness == Freshness::Waiting)
+        return TileText::tr("Robot %1 is heard, and has sent no readings yet.").arg(robot);
     if (!state.feedback) return TileText::tr("Robot %1 has not been heard.").arg(robot);
     const wire::FeedbackBlock& raw = *state.feedback;
     const Readings& readings = state.readings;
     QStringList lines{TileText::tr("Robot %1").arg(robot)};
-    if (state.freshness == Freshness::Stale) lines << TileText::tr("Readings of before it was lost:");
+    lines << hearingTip(state, now, marks.cable);
     lines << TileText::tr("Battery %1 V (ADC %2): low below %3 V, empty below %4 V")
                  .arg(readings.battery_V, 0, 'f', 2)
                  .arg(raw.battery_adc)

@@ -37,7 +37,8 @@ struct TileContent {
     bool moving = false;
     std::vector<Chip> chips;  ///< The most important first.
     QString oddBy;            ///< What sets it apart from all the others; empty where nothing does.
-    QString state;            ///< Why there is nothing newer.
+    QString state;            ///< How it is heard and how old the readings are.
+    QString stateShort;       ///< The same for where there is less room; empty where there is no shorter way.
     QString accessible;       ///< The same in one sentence.
 
     friend bool operator==(const TileContent&, const TileContent&) = default;
@@ -51,7 +52,8 @@ extern const double kCapacitorChargedMark;
 
 TileContent tileContent(int robot, const thunderbots::RobotState& state, bool chosen, TimePoint now,
                         const TileMarks& marks = {});
-/// The readings with the raw numbers behind them.
-QString readingsTip(int robot, const thunderbots::RobotState& state);
+/// How the robot is heard, and the readings with their age and the raw numbers behind them.
+QString readingsTip(int robot, const thunderbots::RobotState& state, TimePoint now,
+                    const TileMarks& marks = {});
 
 }  // namespace kickstand::ui

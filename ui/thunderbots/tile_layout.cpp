@@ -20,6 +20,7 @@ constexpr double kBarWidth = 60;
 constexpr double kBarHeight = 3;
 constexpr double kBarGap = 1;
 constexpr double kMotionHeight = 14;
+constexpr QSizeF kRadio(11, 10);
 constexpr QSizeF kMark(8, kBarHeight + 2 * kBarGap);
 constexpr double kBoltWidth = 9;
 constexpr double kBoltHeight = 13;
@@ -77,6 +78,10 @@ class Layouter {
     void placeLeft() {
         const double width = widthOf(QString::number(content_.robot), tileNumberFont());
         out_.number = {left(), top(), width, kNumberHeight};
+        if (content_.live || content_.known) {
+            out_.radio = {QPointF(out_.number.right() + kGap, out_.number.bottom() - kRadio.height()),
+                          kRadio};
+        }
         if (content_.motion.isEmpty()) return;
         out_.motion = {left(), top() + kNumberHeight, widthOf(content_.motion, tileWordFont(true)),
                        kMotionHeight};
@@ -167,15 +172,19 @@ class Layouter {
     void placeState() {
         const double room = right() - nextX_;
         if (content_.state.isEmpty() || room <= 0) return;
-        const QFontMetricsF metrics(tileWordFont(false));
-        out_.stateText = metrics.elidedText(content_.state, Qt::ElideRight, room);
+        const QFont font = tileWordFont(false);
+        const bool whole = content_.stateShort.isEmpty() || widthOf(content_.state, font) <= room;
+        const QString& text = whole ? content_.state : content_.stateShort;
+        // Without its end a word like "now" says nothing.
+        if (!whole && widthOf(text, font) > room) return;
+        out_.stateText = QFontMetricsF(font).elidedText(text, Qt::ElideRight, room);
         out_.state = {nextX_, bottom() - kChipHeight, room, kChipHeight};
     }
 
     const TileContent& content_;
     QSizeF size_;
     TileLayout out_;
-    double nextX_ = kSide;
+    double nextX_ = kSide;  ///< Where there is room on the bottom line.
 };
 
 }  // namespace
@@ -186,6 +195,7 @@ std::vector<std::pair<QString, QRectF>> TileLayout::parts() const {
         if (!box.isEmpty()) parts.emplace_back(QString::fromLatin1(name), box);
     };
     add("number", number);
+    add("radio", radio);
     add("motion", motion);
     add("battery", battery);
     add("battery word", batteryWord);

@@ -19,6 +19,7 @@ struct TileLayout {
     };
 
     QRectF number;
+    QRectF radio;  ///< The sign of how it is heard.
     QRectF motion;
     QRectF battery;
     QRectF batteryWord;

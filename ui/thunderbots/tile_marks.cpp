@@ -57,6 +57,7 @@ int oneAlone(const Snapshot& snapshot, Has has) {
 
 TileMarks tileMarks(const Snapshot& snapshot, int lowestBefore) {
     TileMarks marks;
+    marks.cable = snapshot.cable;
     marks.lowestBattery = lowestBattery(snapshot, lowestBefore);
     using Block = wire::DriveBlock;
     const auto mark = [&](auto has, const QString& with, const QString& without) {

@@ -6,11 +6,12 @@
 
 namespace kickstand::ui {
 
-/// What only shows when the robots are seen side by side.
+/// What is to be said of a robot that its own state does not tell.
 struct TileMarks {
     int lowestBattery = -1;  ///< The robot whose battery is lowest; −1: there is none to tell.
     int oddOne = -1;         ///< The one robot that is not as all the others are; −1: there is none.
     QString oddBy;           ///< By what: "charging".
+    bool cable = false;      ///< It is heard over a cable, not by radio.
 
     friend bool operator==(const TileMarks&, const TileMarks&) = default;
 };
