@@ -4687,10 +4687,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Readings of before it was lost:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Battery %1 V (ADC %2): low below %3 V, empty below %4 V</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4708,6 +4704,50 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>no ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heard, readings %1 old</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cable ok · now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radio ok · now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heard, but its readings have not been valid for %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost %1 ago: the readings are of before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heard over the cable now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heard by the dongle’s radio now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The readings last changed %1 ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot %1 is heard, and has sent no readings yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The only one %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -174,6 +174,13 @@ TEST(ReadingsTip, SaysHowTheRobotIsHeardAndHowOldTheReadingsAre) {
     EXPECT_TRUE(readingsTip(3, waiting, kNow).contains(QStringLiteral("no readings yet")));
 }
 
+TEST(ReadingsTip, SaysWhatSetsTheRobotApart) {
+    const TileMarks marks{-1, 3, QStringLiteral("charging")};
+    EXPECT_TRUE(
+        readingsTip(3, robot(15.9, 212), kNow, marks).contains(QStringLiteral("The only one charging.")));
+    EXPECT_FALSE(readingsTip(4, robot(15.9, 212), kNow, marks).contains(QStringLiteral("only one")));
+}
+
 TEST(ReadingsTip, HasTheRawNumbers) {
     const RobotState state = robot(15.9, 212);
     EXPECT_TRUE(

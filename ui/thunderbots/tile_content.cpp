@@ -199,6 +199,7 @@ QString readingsTip(int robot, const RobotState& state, TimePoint now, const Til
     lines << TileText::tr("Break beam (ADC %1): %2")
                  .arg(raw.light_adc)
                  .arg(readings.ball ? TileText::tr("ball") : TileText::tr("no ball"));
+    if (marks.oddOne == robot) lines << TileText::tr("The only one %1.").arg(marks.oddBy);
     return lines.join(u'\n');
 }
 
