@@ -7926,18 +7926,6 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>autokick: none yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>autokick: %1 fired, the last at %2, %3 ago</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> · armed with %1, not with what is drawn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>last autokick</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7971,6 +7959,19 @@ Double-click or Enter says more.</source>
     </message>
     <message>
         <source>   no offset with one pulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fired, the last at %2, %3 ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+armed with %1, not with what is drawn</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -131,6 +131,9 @@ TEST_F(KickPanelTest, AutokickIsArmedWithWhatIsDrawnCountedAndDisarmed) {
     ASSERT_TRUE(waitUntil([this] {
         return line("autokickLine").contains(QStringLiteral("1 fired, the last at"));
     })) << line("autokickLine").toStdString();
+    const QWidget* words = rig.find<QLabel>(QStringLiteral("autokickLine"));
+    EXPECT_GT(words->x(), button("autokick")->geometry().right()) << "whoever sees the button sees the count";
+    EXPECT_LT(words->y(), button("autokick")->geometry().bottom());
     EXPECT_TRUE(rig.wire().kicks().empty()) << "it kicks by itself";
     ASSERT_TRUE(rig.settle());
     EXPECT_TRUE(button("autokick")->isChecked());

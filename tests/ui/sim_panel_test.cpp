@@ -1,6 +1,7 @@
 // Simulated robots: every action of the simulator from a control, and its present value back in it.
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -8,7 +9,10 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QStyleOptionSpinBox>
 #include <QTest>
+#include <QWheelEvent>
+#include <algorithm>
 
 #include "tests/ui/bench_rig.h"
 #include "ui/shell/sim_action_control.h"
@@ -44,6 +48,24 @@ class SimPanelTest : public BenchTest {
         QTest::keyClicks(box, text);
         QTest::keyClick(box, Qt::Key_Return);
     }
+    static void clickStep(QDoubleSpinBox* box, QStyle::SubControl step) {
+        QStyleOptionSpinBox option;
+        option.initFrom(box);
+        option.subControls = QStyle::SC_All;
+        option.buttonSymbols = box->buttonSymbols();
+        option.frame = box->hasFrame();
+        const QRect button = box->style()->subControlRect(QStyle::CC_SpinBox, &option, step, box);
+        QTest::mouseClick(box, Qt::LeftButton, {}, button.center());
+    }
+    /// Of what concerns all robots.
+    bool waitForReading(const char* action, double value) {
+        return waitUntil([this, action, value] {
+            const auto& readings = rig.bench().session()->simReadings;
+            return std::any_of(readings.begin(), readings.end(), [&](const SimReading& reading) {
+                return reading.action == action && std::abs(reading.value - value) < 1e-6;
+            });
+        });
+    }
     bool waitForRobot(const std::function<bool(const RobotState&)>& holds) {
         return rig.waitForSnapshot([&holds](const Snapshot& snapshot) { return holds(snapshot.robots[2]); });
     }
@@ -72,6 +94,29 @@ TEST_F(SimPanelTest, NumbersAreTypedAndFollowWhatIs) {
     // It cools from there on.
     const auto* temperature = in<QDoubleSpinBox>(QStringLiteral("sim-temperature-2"));
     EXPECT_TRUE(waitUntil([temperature] { return temperature->value() > 45; })) << temperature->value();
+}
+
+TEST_F(SimPanelTest, NumbersAreSteppedWithTheArrowsBesideThem) {
+    auto* loss = in<QDoubleSpinBox>(QStringLiteral("sim-loss"));
+    ASSERT_EQ(loss->value(), 0);
+    clickStep(loss, QStyle::SC_SpinBoxUp);
+    EXPECT_TRUE(waitForValue(QStringLiteral("sim-loss"), loss->singleStep()));
+    EXPECT_TRUE(waitForReading("loss", loss->singleStep() / 100));
+    clickStep(loss, QStyle::SC_SpinBoxDown);
+    EXPECT_TRUE(waitForReading("loss", 0));
+    EXPECT_EQ(loss->value(), 0);
+}
+
+TEST_F(SimPanelTest, TheWheelOverANumberThatIsNotWorkedOnChangesNothing) {
+    auto* battery = in<QDoubleSpinBox>(QStringLiteral("sim-battery-2"));
+    rig.find<QWidget>(QStringLiteral("robot2"))->setFocus();
+    ASSERT_FALSE(battery->hasFocus());
+    const double before = battery->value();
+    QWheelEvent wheel(QPointF(5, 5), battery->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(battery, &wheel);
+    EXPECT_EQ(battery->value(), before);
+    EXPECT_FALSE(wheel.isAccepted()) << "it scrolls the panel";
 }
 
 TEST_F(SimPanelTest, WhatIsTypedStaysWhileTheRobotsGoOn) {

@@ -21,6 +21,9 @@ class Panel : public QWidget {
     virtual void closed() {}
     /// Somebody asked for one thing in this panel (Bench::goTo()), by a name that the panel knows.
     virtual void showDetail(const QString& detail) { Q_UNUSED(detail) }
+    /// The least that its lines take, wrapped at this width: a panel that scrolls in itself may be lower than
+    /// it would like to be.
+    int heightForWidth(int width) const override;
 
   signals:
     void noteChanged(const QString& note);

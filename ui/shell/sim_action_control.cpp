@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QWheelEvent>
 #include <cmath>
 
 #include "core/engine/messages.h"
@@ -17,7 +18,7 @@ namespace kickstand::ui {
 namespace {
 
 constexpr std::size_t kMostSegments = 4;
-constexpr int kNumberWidth = 86;
+constexpr int kNumberWidth = 100;
 /// A range wider than this needs no decimals, one wider than the other needs one.
 constexpr double kWholeRange = 100;
 constexpr double kTenthRange = 2;
@@ -28,6 +29,16 @@ class NumberBox final : public QDoubleSpinBox {
   public:
     using QDoubleSpinBox::QDoubleSpinBox;
     bool isBeingTyped() const { return hasFocus() && lineEdit()->isModified(); }
+
+  protected:
+    void wheelEvent(QWheelEvent* event) override {
+        // Whoever scrolls the panel past it means the panel.
+        if (hasFocus()) {
+            QDoubleSpinBox::wheelEvent(event);
+        } else {
+            event->ignore();
+        }
+    }
 };
 
 int decimalsFor(double range) {
@@ -114,7 +125,7 @@ void SimActionControl::addNumber(const SimAction& action, const QString& name) {
     if (measured && action.unit != "1")
         box->setSuffix(u' ' + (share ? QStringLiteral("%") : QString::fromStdString(action.unit)));
     box->setKeyboardTracking(false);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setFocusPolicy(Qt::StrongFocus);
     box->setFont(numberFont(metrics::kTextSize));
     box->setFixedWidth(kNumberWidth);
     box->setAccessibleName(name);

@@ -33,7 +33,7 @@ void clean(QWidget* place) {
 FlowLayout* makeFlow(QWidget* place) {
     auto* flow = new FlowLayout(place);
     flow->setContentsMargins(0, 0, 0, 0);
-    flow->setSpacing(metrics::kPadding);
+    flow->setSpacing(metrics::kGap);
     return flow;
 }
 
@@ -56,7 +56,7 @@ SimPanel::SimPanel(Bench& bench, QWidget* parent)
     auto* content = new QWidget(area);
     auto* inside = new QVBoxLayout(content);
     inside->setContentsMargins(0, 0, 0, 0);
-    inside->setSpacing(metrics::kPadding);
+    inside->setSpacing(metrics::kGap);
     inside->addWidget(hint_);
     inside->addWidget(units_);
     inside->addWidget(shared_);
@@ -64,7 +64,7 @@ SimPanel::SimPanel(Bench& bench, QWidget* parent)
     area->setWidget(content);
     content->setAutoFillBackground(false);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(metrics::kPadding, 10, metrics::kGap, metrics::kGap);
+    column->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kGap, 4);
     column->addWidget(area, 1);
     column->addWidget(notice_);
     connect(&bench, &Bench::changed, this, &SimPanel::refresh);

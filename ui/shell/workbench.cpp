@@ -25,9 +25,10 @@ constexpr const char* kLayoutSetting = "window/docks";
 constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
 constexpr int kAsideWidth = 276;
-constexpr int kLeastEventsHeight = 120;
+/// Its header and three whole lines.
+constexpr int kLeastEventsHeight = 116;
 /// A low window shows something of all panels.
-constexpr double kMostWorkShare = 0.55;
+constexpr double kMostWorkShare = 0.6;
 /// Of what is left under the work panels.
 constexpr double kBottomShare = 0.33;
 

@@ -53,7 +53,7 @@ BodyBox::BodyBox(QWidget* parent) : QWidget(parent), made_(new QLabel(this)) {
     made_->setObjectName(QStringLiteral("madeWheels"));
     made_->setFont(numberFont(metrics::kTextSize));
     made_->setMinimumHeight(metrics::kFieldHeight);
-    made_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    made_->setWordWrap(true);
     column->addWidget(made_);
 }
 

@@ -30,7 +30,7 @@ using namespace thunderbots;
 namespace {
 
 constexpr int kRowHeight = 24;
-constexpr int kControlsWidth = 240;
+constexpr int kControlsWidth = 264;
 constexpr int kQuestionSize = 14;
 constexpr int kQuestionLines = 3;
 constexpr int kVerdictWidth = 68;
@@ -55,7 +55,7 @@ ChecksPanel::ChecksPanel(Bench& bench, RobotChoice& choice, QWidget* parent)
     row->setContentsMargins(metrics::kPadding, metrics::kGap, 1, metrics::kPanelRadius);
     row->setSpacing(metrics::kPadding);
     row->addWidget(makeControls());
-    row->addWidget(makeRight(), 1);
+    row->addLayout(makeRight(), 1);
     connectAll();
     refresh();
 }
@@ -73,7 +73,7 @@ QWidget* ChecksPanel::makeControls() {
     start_ = makeButton("checksStart", tr("Start check"), box);
     stop_ = makeButton("checksStop", tr("End check"), box);
     for (QPushButton* button : {arm_, start_, stop_})
-        buttons->addWidget(button, 1);
+        buttons->addWidget(button);
     column->addLayout(buttons);
     column->addWidget(scrolled(settings_, box), 1);
     return box;
@@ -108,15 +108,13 @@ QWidget* ChecksPanel::makeQuestion() {
     return box;
 }
 
-QWidget* ChecksPanel::makeRight() {
-    auto* box = new QWidget(this);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
+QLayout* ChecksPanel::makeRight() {
+    auto* column = new QVBoxLayout;
     column->setSpacing(metrics::kGap);
     column->addWidget(makeQuestion());
     buildTable();
     column->addWidget(table_, 1);
-    return box;
+    return column;
 }
 
 void ChecksPanel::buildTable() {

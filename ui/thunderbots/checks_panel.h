@@ -10,6 +10,7 @@
 #include "ui/thunderbots/choice_summary.h"
 
 class QLabel;
+class QLayout;
 class QPushButton;
 class QTableView;
 
@@ -32,7 +33,7 @@ class ChecksPanel final : public Panel {
   private:
     QWidget* makeControls();
     QWidget* makeQuestion();
-    QWidget* makeRight();
+    QLayout* makeRight();
     void buildTable();
     void connectAll();
     void refresh();

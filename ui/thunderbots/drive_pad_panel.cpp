@@ -26,10 +26,12 @@ namespace {
 
 enum Mode { kBody = 0, kWheels = 1 };
 
-constexpr int kColumnGap = 20;
-constexpr int kLeastWidth = 540;
+constexpr int kColumnGap = 12;
 constexpr int kNumberWidth = 56;
-constexpr int kInputWidth = 148;
+constexpr int kInputWidth = 112;
+constexpr int kPictureSize = 96;
+/// The sticks of one way of driving, or the buttons, one below the other.
+constexpr int kMapRows = 4;
 constexpr int kWidestDeadZone_percent = 50;
 
 int percent(double part) {
@@ -45,20 +47,25 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     state_ = new QLabel(this);
     state_->setObjectName(QStringLiteral("padState"));
     state_->setWordWrap(true);
+    picture_ = new PadPicture(this);
+    picture_->setMinimumSize(kPictureSize, kPictureSize);
     auto* row = new QHBoxLayout;
     row->setSpacing(kColumnGap);
     row->addWidget(makeMap(), 1);
-    row->addWidget(makeFeel());
+    row->addWidget(picture_);
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(metrics::kPadding, 10, metrics::kPadding, metrics::kGap);
     column->setSpacing(metrics::kGap);
     column->addWidget(makeTop());
     column->addLayout(row);
+    column->addWidget(makeFeel());
     column->addStretch(1);
-    // A window that is too low for all of it scrolls.
+    // A window that is too small for all of it scrolls.
     QScrollArea* area = scrolled(content, this);
-    area->setMinimumWidth(kLeastWidth);
+    area->setMinimumWidth(content->minimumSizeHint().width());
+    // What an input is called may be longer.
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);
@@ -108,6 +115,8 @@ QWidget* DrivePadPanel::makeMap() {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(metrics::kGap);
     grid->setVerticalSpacing(4);
+    int buttons = 0;
+    int sticks = 0;
     for (std::size_t i = 0; i < kPadActions.size(); ++i) {
         const PadAction action = kPadActions.at(i);
         labels_.at(i) = new QLabel(actionText(action), box);
@@ -119,16 +128,20 @@ QWidget* DrivePadPanel::makeMap() {
         connect(input, &QPushButton::clicked, this,
                 [this, action](bool down) { pad_->learn(down ? std::optional(action) : std::nullopt); });
         inputs_.at(i) = input;
-        const int line = static_cast<int>(i);
-        grid->addWidget(labels_.at(i), line, 0);
-        grid->addWidget(input, line, 1);
+        if (action == PadAction::LeftWheels) sticks = 0;  // In the place of the body's.
+        const int line = isStick(action) ? sticks++ : buttons++;
+        const int column = isStick(action) ? 0 : 2;
+        grid->addWidget(labels_.at(i), line, column);
+        grid->addWidget(input, line, column + 1);
     }
     standard_ = new QPushButton(tr("Standard layout"), box);
     standard_->setObjectName(QStringLiteral("padStandard"));
     standard_->setAutoDefault(false);
     connect(standard_, &QPushButton::clicked, pad_, &DrivePad::setStandardMap);
-    grid->addWidget(standard_, static_cast<int>(kPadActions.size()), 1);
-    grid->setColumnStretch(2, 1);
+    grid->addWidget(standard_, kMapRows - 1, 0, 1, 2, Qt::AlignLeft);
+    grid->setRowStretch(kMapRows, 1);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
     return box;
 }
 
@@ -145,26 +158,23 @@ QSpinBox* DrivePadPanel::makeNumber(const char* name, const QString& meaning, in
 
 QWidget* DrivePadPanel::makeFeel() {
     auto* box = new QWidget(this);
-    picture_ = new PadPicture(box);
     const StickCurve& curve = pad_->curve();
     dead_ = makeNumber("padDeadZone", tr("Dead zone in percent"), 0, kWidestDeadZone_percent,
                        percent(curve.deadZone));
     bend_ = makeNumber("padBend", tr("Bend of the curve in percent"), 0, 100, percent(curve.bend));
     speed_ = makeNumber("padSpeed", tr("Speed of a stick at its end, in percent of the limit"), 1, 100,
                         pad_->speed_percent());
-    auto* grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(metrics::kGap);
-    grid->setVerticalSpacing(4);
-    grid->addWidget(picture_, 0, 0, 1, 2);
-    int line = 1;
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::kGap);
     for (const auto& [words, number] :
          {std::pair{tr("Dead zone, %"), dead_}, std::pair{tr("Curve, %"), bend_},
           std::pair{tr("Full stick, % of limit"), speed_}}) {
-        grid->addWidget(new QLabel(words, box), line, 0);
-        grid->addWidget(number, line++, 1);
+        row->addWidget(new QLabel(words, box));
+        row->addWidget(number);
+        row->addSpacing(metrics::kGap);
     }
-    grid->setRowStretch(line, 1);
+    row->addStretch(1);
     connect(dead_, &QSpinBox::valueChanged, this, &DrivePadPanel::setFeel);
     connect(bend_, &QSpinBox::valueChanged, this, &DrivePadPanel::setFeel);
     connect(speed_, &QSpinBox::valueChanged, pad_, &DrivePad::setSpeed);

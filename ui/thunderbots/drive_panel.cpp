@@ -85,8 +85,9 @@ void DrivePanel::build() {
     boxes_->addWidget(voltage_);
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(metrics::kPadding, 10, metrics::kPadding, metrics::kGap);
-    column->setSpacing(metrics::kGap);
+    // All of it fits into the smallest window.
+    column->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, 4);
+    column->setSpacing(4);
     column->addLayout(boxes_);
     column->addWidget(keys_);
     auto* bottom = new QHBoxLayout;

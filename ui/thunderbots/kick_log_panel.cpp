@@ -31,7 +31,8 @@ using namespace thunderbots;
 namespace {
 
 constexpr int kRowHeight = 24;
-constexpr int kSweepWidth = 248;
+/// Its fields and the scroll bar beside them.
+constexpr int kSweepWidth = 256;
 constexpr int kColumnGap = 16;
 constexpr int kWidths[] = {82, 46, 64, 62, 62, 60, 62, 62, 58, 64, 120, 40};
 
@@ -56,7 +57,7 @@ KickLogPanel::KickLogPanel(Bench& bench, RobotChoice& choice, KickSettings& kick
     QScrollArea* scroll = scrolled(sweep_, this);
     scroll->setFixedWidth(kSweepWidth);
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(metrics::kPadding, metrics::kGap, 1, metrics::kPanelRadius);
+    grid->setContentsMargins(metrics::kPadding, 4, 1, metrics::kPanelRadius);
     grid->setHorizontalSpacing(kColumnGap);
     grid->addWidget(scroll, 0, 0);
     grid->addWidget(table_, 0, 1);
@@ -109,6 +110,8 @@ QWidget* KickLogPanel::headerTools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::kGap);
+    row->addWidget(sweep_->buttons());
+    row->addSpacing(metrics::kGap);
     auto* copyButton = new QPushButton(tr("Copy"), tools);
     copyButton->setObjectName(QStringLiteral("kickCopy"));
     copyButton->setToolTip(tr("Copies the selected kicks, or all, as comma-separated values."));

@@ -36,6 +36,7 @@ using namespace std::chrono_literals;
 
 constexpr int kVoltageWidth = 236;
 constexpr int kColumnGap = 20;
+constexpr int kLineGap = 4;
 constexpr int kLineHeight = 18;
 constexpr int kDropSize = 24;
 
@@ -46,7 +47,7 @@ QLabel* makeLine(const char* name, QWidget* parent) {
     line->setObjectName(QString::fromLatin1(name));
     line->setForegroundRole(QPalette::PlaceholderText);
     line->setMinimumHeight(kLineHeight);
-    line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    line->setWordWrap(true);
     return line;
 }
 
@@ -61,16 +62,15 @@ KickPanel::KickPanel(Bench& bench, RobotChoice& choice, KickSettings& kick, QWid
     setObjectName(QStringLiteral("kickPanel"));
     kick_.attach(bench.settings());
     auto* left = new QVBoxLayout;
-    left->setSpacing(6);
+    left->setSpacing(kLineGap);
     left->addWidget(makePulses());
     left->addWidget(makeButtons());
-    autokickLine_ = makeLine("autokickLine", this);
+    left->addWidget(makeAutokick());
     notice_ = makeLine("kickNotice", this);
-    left->addWidget(autokickLine_);
     left->addWidget(notice_);
     left->addStretch(1);
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(metrics::kPadding, 10, metrics::kPadding, metrics::kGap);
+    row->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
     row->setSpacing(kColumnGap);
     row->addLayout(left, 1);
     row->addWidget(makeVoltage());
@@ -86,7 +86,7 @@ QWidget* KickPanel::makePulses() {
     auto* box = new QWidget(this);
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
+    column->setSpacing(kLineGap);
     view_ = new KickPulsesView(box);
     fields_ = new KickFields(box);
     wire_ = makeLine("kickWire", box);
@@ -118,13 +118,24 @@ QWidget* KickPanel::makeButtons() {
         row->addWidget(one);
     }
     setButtonRole(button(KickWay::First), ButtonRole::Primary);
-    row->addSpacing(metrics::kGap);
+    row->addStretch(1);
+    return box;
+}
+
+/// What it has done stands beside its button: whoever sees one sees the other.
+QWidget* KickPanel::makeAutokick() {
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::kGap);
     autokick_ = new QPushButton(box);
     autokick_->setObjectName(QStringLiteral("autokick"));
     autokick_->setCheckable(true);
     autokick_->setAutoDefault(false);
+    autokickLine_ = makeLine("autokickLine", box);
+    autokickLine_->setFont(textFont(metrics::kSmallTextSize));
     row->addWidget(autokick_);
-    row->addStretch(1);
+    row->addWidget(autokickLine_, 1);
     return box;
 }
 
@@ -136,14 +147,12 @@ QWidget* KickPanel::makeVoltage() {
     voltage_ = new HighVoltageBox(QStringLiteral("kick"), box);
     voltage_->setFixedWidth(kVoltageWidth);
     charge_ = makeLine("chargeState", box);
-    charge_->setWordWrap(true);
     column->addWidget(voltage_);
     column->addWidget(charge_);
     drop_ = new QLabel(box);
     drop_->setObjectName(QStringLiteral("kickDrop"));
     drop_->setFont(numberFont(kDropSize, QFont::Bold));
     dropWhat_ = makeLine("kickDropWhat", box);
-    dropWhat_->setWordWrap(true);
     column->addWidget(drop_);
     column->addWidget(dropWhat_);
     column->addStretch(1);
@@ -275,10 +284,10 @@ QString KickPanel::autokickText(const Snapshot& snapshot) const {
         count += state.autokicks;
         if (state.autokicks > 0) last = std::max(last, state.lastAutokickAt);
     }
-    QString text = tr("autokick: none yet");
+    QString text = tr("none yet");
     if (count > 0) {
         const EngineClient& client = bench().client();
-        text = tr("autokick: %1 fired, the last at %2, %3 ago")
+        text = tr("%1 fired, the last at %2, %3 ago")
                    .arg(count)
                    .arg(clock(client.wallTime(last)), ageText(client.now() - last));
     }
@@ -287,7 +296,7 @@ QString KickPanel::autokickText(const Snapshot& snapshot) const {
     const RobotIntent& intent = snapshot.intents[static_cast<std::size_t>(robot)];
     const auto drawn = wire::encodePulses(kick_.pulses());
     if (intent.autokick && (!drawn || drawn->times != intent.autokickTimes)) {
-        text += tr(" \u00b7 armed with %1, not with what is drawn")
+        text += tr("\narmed with %1, not with what is drawn")
                     .arg(pulsesText(wire::personTermsOf(intent.autokickTimes)));
     }
     return text;

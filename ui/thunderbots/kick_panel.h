@@ -34,6 +34,7 @@ class KickPanel final : public Panel {
   private:
     QWidget* makePulses();
     QWidget* makeButtons();
+    QWidget* makeAutokick();
     QWidget* makeVoltage();
     void connectAll();
     void refresh();

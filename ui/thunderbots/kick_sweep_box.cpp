@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
@@ -35,8 +36,9 @@ KickSweepBox::KickSweepBox(QSettings& settings, QWidget* parent)
     : QWidget(parent),
       settings_(settings),
       solenoid_(new QComboBox(this)),
-      start_(new QPushButton(tr("Start sweep"), this)),
-      stop_(new QPushButton(tr("Stop sweep"), this)),
+      buttons_(new QWidget(this)),
+      start_(new QPushButton(tr("Start sweep"), buttons_)),
+      stop_(new QPushButton(tr("Stop sweep"), buttons_)),
       progress_(new QLabel(this)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -58,23 +60,30 @@ KickSweepBox::KickSweepBox(QSettings& settings, QWidget* parent)
         watch(field, true);
     for (SignedSpinBox* field : {count_, pause_})
         watch(field, false);
-    start_->setObjectName(QStringLiteral("sweepStart"));
-    stop_->setObjectName(QStringLiteral("sweepStop"));
+    makeButtons();
     progress_->setObjectName(QStringLiteral("sweepProgress"));
     progress_->setWordWrap(true);
     progress_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     const int row = fields_ / kColumns;
-    grid->addWidget(start_, row, 0, 1, 2);
-    grid->addWidget(stop_, row, 2, 1, 2);
-    grid->addWidget(progress_, row + 1, 0, 1, 2 * kColumns);
-    grid->setRowStretch(row + 1, 1);
-    for (QPushButton* button : {start_, stop_})
-        button->setAutoDefault(false);
+    grid->addWidget(progress_, row, 0, 1, 2 * kColumns);
+    grid->setRowStretch(row, 1);
     solenoid_->setCurrentIndex(std::clamp(settings_.value(settingOf(solenoid_)).toInt(), 0, 1));
     connect(solenoid_, &QComboBox::currentIndexChanged, this, [this](int index) {
         settings_.setValue(settingOf(solenoid_), index);
         emit edited();
     });
+}
+
+void KickSweepBox::makeButtons() {
+    start_->setObjectName(QStringLiteral("sweepStart"));
+    stop_->setObjectName(QStringLiteral("sweepStop"));
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    for (QPushButton* button : {start_, stop_}) {
+        button->setAutoDefault(false);
+        row->addWidget(button);
+    }
     connect(start_, &QPushButton::clicked, this, &KickSweepBox::startAsked);
     connect(stop_, &QPushButton::clicked, this, &KickSweepBox::stopAsked);
 }

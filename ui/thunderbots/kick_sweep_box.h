@@ -21,6 +21,8 @@ class KickSweepBox final : public QWidget {
   public:
     explicit KickSweepBox(QSettings& settings, QWidget* parent = nullptr);
 
+    /// Start and stop, for a place where they are always seen.
+    QWidget* buttons() const { return buttons_; }
     /// The plan as it is set, for a robot and the pulses that stay as they are.
     thunderbots::SweepPlan plan(int robot, const thunderbots::wire::KickPulses& pulses) const;
     /// Shows the running sweep or the last one, why none can be started (empty: it can), and what would be
@@ -37,6 +39,7 @@ class KickSweepBox final : public QWidget {
   private:
     SignedSpinBox* addNumber(const char* name, const QString& label, int lowest, int highest, int value);
     void addField(QWidget* field, const char* name, const QString& label);
+    void makeButtons();
     void watch(SignedSpinBox* field, bool grid);
 
     QSettings& settings_;
@@ -47,6 +50,7 @@ class KickSweepBox final : public QWidget {
     SignedSpinBox* step_ = nullptr;
     SignedSpinBox* count_ = nullptr;
     SignedSpinBox* pause_ = nullptr;
+    QWidget* buttons_;
     QPushButton* start_;
     QPushButton* stop_;
     QLabel* progress_;

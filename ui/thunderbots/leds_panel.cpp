@@ -83,16 +83,19 @@ void LedsPanel::build() {
     target_->setObjectName(QStringLiteral("ledTarget"));
     target_->setAccessibleName(tr("Of which wheel or motor"));
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(metrics::kPadding, 10, metrics::kPadding, metrics::kGap);
+    column->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
     column->setSpacing(metrics::kGap);
-    column->addWidget(class_);
-    column->addWidget(target_);
-    column->addSpacing(2);
+    auto* mode = new QVBoxLayout;
+    mode->setSpacing(4);
+    mode->addWidget(class_);
+    mode->addWidget(target_);
+    column->addLayout(mode);
     column->addWidget(lights_);
-    column->addWidget(advice_);
     column->addWidget(notice_);
     column->addWidget(makeWays());
     column->addWidget(told_);
+    // Known after the first time: where there is too little room, this is what has to be scrolled to.
+    column->addWidget(advice_);
     column->addStretch(1);
 }
 
@@ -110,7 +113,7 @@ QWidget* LedsPanel::makeWays() {
     auto* ways = new QWidget(this);
     auto* row = new QVBoxLayout(ways);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(metrics::kGap);
+    row->setSpacing(4);
     row->addWidget(way_);
     row->addWidget(normal_);
     return ways;

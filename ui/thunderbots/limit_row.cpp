@@ -43,7 +43,6 @@ LimitRow::LimitRow(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::kGap);
-    row->addStretch(1);
     row->addWidget(label_);
     row->addWidget(change_);
     row->addWidget(wanted_);

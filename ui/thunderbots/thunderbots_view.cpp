@@ -34,6 +34,8 @@ struct Words {
 };
 
 constexpr const char* kHelpPage = "bench-guide.md";
+/// All of the Drive and of the Kick panel.
+constexpr int kWorkHeight = 392;
 
 /// The guide's page at one of its headings.
 QString help(const char* anchor) {
@@ -286,6 +288,10 @@ std::vector<std::pair<QString, double>> ThunderbotsView::actionChoices(const Sim
                 {Words::tr("0x84 debug text"), 0x84}};
     }
     return {};
+}
+
+int ThunderbotsView::workHeight() const {
+    return kWorkHeight;
 }
 
 QString ThunderbotsView::unitText(int unit) const {

@@ -41,6 +41,7 @@ class ThunderbotsView final : public SystemView {
     std::vector<std::pair<QString, double>> actionChoices(const SimAction& action) const override;
     QString unitText(int unit) const override;
     QString placeOf(const SystemEvent& event) const override;
+    int workHeight() const override;
 
     RobotChoice& choice() const { return *choice_; }
 

@@ -9,6 +9,7 @@
 #include "ui/thunderbots/body_box.h"
 #include "ui/thunderbots/drive_control.h"
 #include "ui/thunderbots/limit_row.h"
+#include "ui/widgets/flow_layout.h"
 #include "ui/widgets/segmented.h"
 #include "ui/widgets/set_point_slider.h"
 #include "ui/widgets/tokens.h"
@@ -102,7 +103,8 @@ QWidget* WheelsBox::makeTop() {
 
 QWidget* WheelsBox::makeBottom() {
     auto* bottom = new QWidget(this);
-    auto* row = new QHBoxLayout(bottom);
+    // The question that comes with a higher limit takes a line of its own where there is no room for it.
+    auto* row = new FlowLayout(bottom);
     row->setContentsMargins(0, 4, 0, 0);
     row->setSpacing(metrics::kGap);
     dribbler_->setObjectName(QStringLiteral("dribbler"));
@@ -114,7 +116,7 @@ QWidget* WheelsBox::makeBottom() {
     zero_->setAutoDefault(false);
     row->addWidget(dribbler_);
     row->addWidget(zero_);
-    row->addWidget(limit_, 1);
+    row->addWidget(limit_);
     connect(dribbler_, &QPushButton::clicked, this, &WheelsBox::dribblerAsked);
     connect(zero_, &QPushButton::clicked, this, &WheelsBox::zeroAsked);
     connect(limit_, &LimitRow::asked, this, &WheelsBox::limitAsked);

@@ -1,6 +1,7 @@
 #include "ui/widgets/bench_style.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
@@ -104,6 +105,26 @@ void drawField(const QStyleOption& option, QPainter& painter) {
     painter.setBrush(enabled ? t.surface : t.background);
     painter.drawRoundedRect(QRectF(option.rect).adjusted(0.75, 0.75, -0.75, -0.75), 5, 5);
     painter.restore();
+}
+
+/// The two arrows of a spin box, each where it is clicked.
+void drawSteps(const QStyle& style, const QStyleOptionSpinBox& option, QPainter& painter,
+               const QWidget* widget) {
+    if (option.buttonSymbols == QAbstractSpinBox::NoButtons) return;
+    const Tokens& t = tokensOf(option.palette);
+    const auto draw = [&](QStyle::SubControl part, QAbstractSpinBox::StepEnabledFlag step, int turn) {
+        const QRectF place = style.subControlRect(QStyle::CC_SpinBox, &option, part, widget);
+        const bool usable = has(option, QStyle::State_Enabled) && option.stepEnabled.testFlag(step);
+        const bool over = usable && option.activeSubControls == part && has(option, QStyle::State_MouseOver);
+        if (over) painter.fillRect(place.adjusted(0, 1, -1, -1), t.grid);
+        painter.save();
+        painter.translate(place.center());
+        painter.rotate(turn);
+        drawChevron(painter, {}, usable ? option.palette.color(QPalette::ButtonText) : t.line);
+        painter.restore();
+    };
+    draw(QStyle::SC_SpinBoxUp, QAbstractSpinBox::StepUpEnabled, 180);
+    draw(QStyle::SC_SpinBoxDown, QAbstractSpinBox::StepDownEnabled, 0);
 }
 
 void drawCheckBox(const QStyleOption& option, QPainter& painter) {
@@ -323,6 +344,8 @@ void BenchStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
     switch (control) {
         case CC_SpinBox:
             drawField(*option, *painter);
+            if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option))
+                drawSteps(*this, *spin, *painter, widget);
             return;
         case CC_ComboBox:
             drawField(*option, *painter);
