@@ -155,11 +155,39 @@ TEST_F(PadTest, OneThatIsLostBrakesAtOnceAndMustPassNeutralWhenItIsBack) {
     ASSERT_TRUE(waitUntil([this] { return pad->isThere(); }));
     ASSERT_TRUE(look());
     EXPECT_TRUE(pad->awaitsNeutral());
+    EXPECT_TRUE(says().contains(QStringLiteral("Let the sticks go"))) << says().toStdString();
     EXPECT_FALSE(rig.wire().last(3).has_value());
     push(1, 0);
     ASSERT_TRUE(waitUntil([this] { return !pad->awaitsNeutral(); }));
     push(1, -1);
     EXPECT_TRUE(waitForward());
+    EXPECT_TRUE(says().contains(QStringLiteral("It drives"))) << says().toStdString();
+}
+
+TEST_F(PadTest, BackWithAStickThatIsHeldItNeitherKicksNorDribbles) {
+    rig.bench().submit(SystemCommand{ArmHighVoltage{maskOf(3), true}});
+    ASSERT_TRUE(rig.waitForSnapshot([](const Snapshot& s) { return s.intents[3].highVoltageArmed; }));
+    push(1, -1);
+    ASSERT_TRUE(waitForward());
+    pads.plugged.clear();
+    ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return !block.run; }));
+    ASSERT_TRUE(rig.settle());
+    rig.wire().clear();
+    pads.plugged = {{2, "Fake pad", "0011", true}};
+    ASSERT_TRUE(waitUntil([this] { return pad->isThere(); }));
+    ASSERT_TRUE(look());
+    hold(kKickButton, true);
+    hold(kDribblerButton, true);
+    ASSERT_TRUE(look());
+    EXPECT_TRUE(pad->awaitsNeutral());
+    EXPECT_TRUE(rig.wire().kicks().empty());
+    EXPECT_FALSE(rig.wire().last(3) && rig.wire().last(3)->dribble);
+    hold(kKickButton, false);
+    hold(kDribblerButton, false);
+    push(1, 0);
+    ASSERT_TRUE(waitUntil([this] { return !pad->awaitsNeutral(); }));
+    hold(kKickButton, true);
+    EXPECT_TRUE(waitUntil([this] { return rig.wire().kicks() == std::vector<int>{3}; }));
 }
 
 TEST_F(PadTest, AnotherModelDoesNotTakeItsPlaceUnasked) {
@@ -282,6 +310,11 @@ TEST_F(PadTest, OneThatTellsNothingNewWhileAStickIsOffTheMiddleBrakes) {
     push(1, -0.9);
     ASSERT_TRUE(look());
     EXPECT_FALSE(rig.wire().last(3) && rig.wire().last(3)->run) << "not before the stick was let go";
+    push(1, 0);
+    ASSERT_TRUE(waitUntil([this] { return !pad->awaitsNeutral(); }));
+    EXPECT_FALSE(says().contains(QStringLiteral("Nothing has moved"))) << says().toStdString();
+    push(1, -1);
+    EXPECT_TRUE(waitForward());
 }
 
 TEST_F(PadTest, DeadZoneAndSpeedShapeWhatReachesTheWheels) {
@@ -327,6 +360,10 @@ TEST_F(PadTest, WhileAnotherInputDrivesTheStickCountsForNothing) {
     ASSERT_TRUE(look());
     EXPECT_EQ(rig.wire().last(3)->wheels[0], 5);
     EXPECT_TRUE(pad->awaitsNeutral());
+    EXPECT_TRUE(says().contains(QStringLiteral("Something else"))) << says().toStdString();
+    push(1, 0);
+    ASSERT_TRUE(waitUntil([this] { return !pad->awaitsNeutral(); }));
+    EXPECT_FALSE(says().contains(QStringLiteral("Something else"))) << says().toStdString();
 }
 
 }  // namespace

@@ -135,6 +135,22 @@ TEST_F(PadReaderTest, AButtonIsPressedOnceAndOneHeldFromBeforeIsNot) {
     EXPECT_FALSE(read().wasPressed(PadAction::Kick));
 }
 
+TEST_F(PadReaderTest, AButtonThatGoesDownBeforeTheSticksWereLetGoIsNoPress) {
+    state.axes[1] = -1;
+    EXPECT_FALSE(read().wasPressed(PadAction::Kick));
+    state.buttons[10] = state.buttons[1] = true;
+    const PadReading awaiting = read();
+    EXPECT_TRUE(awaiting.awaitsNeutral);
+    EXPECT_FALSE(awaiting.wasPressed(PadAction::Kick));
+    EXPECT_TRUE(awaiting.wasPressed(PadAction::Stop));
+    state.axes[1] = 0;
+    EXPECT_FALSE(read().wasPressed(PadAction::Kick)) << "it has been down since before";
+    state.buttons[10] = false;
+    read();
+    state.buttons[10] = true;
+    EXPECT_TRUE(read().wasPressed(PadAction::Kick));
+}
+
 TEST_F(PadReaderTest, StopCountsWheneverItIsSeenFirst) {
     state.buttons[1] = true;
     EXPECT_TRUE(read().wasPressed(PadAction::Stop));

@@ -38,7 +38,11 @@ PadReading PadReader::read(const PadState& state, const PadMap& map, const Stick
     }
     if (neutral) awaitsNeutral_ = false;
     reading.awaitsNeutral = awaitsNeutral_;
-    if (awaitsNeutral_) reading.value.fill(0);
+    if (!awaitsNeutral_) return reading;
+    const bool stop = reading.wasPressed(PadAction::Stop);
+    reading.value.fill(0);
+    reading.pressed.fill(false);
+    reading.pressed[static_cast<std::size_t>(PadAction::Stop)] = stop;
     return reading;
 }
 

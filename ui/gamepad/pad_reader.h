@@ -9,10 +9,11 @@ namespace kickstand::ui {
 
 /// What a gamepad asks for at one moment.
 struct PadReading {
-    bool awaitsNeutral = false;  ///< Sticks must be let go before they count.
+    bool awaitsNeutral = false;  ///< Sticks must be let go before anything but STOP counts.
     std::array<double, kPadActions.size()>
         value{};  ///< −1 to 1 of each stick, shaped; 0 while it is awaited.
-    std::array<bool, kPadActions.size()> pressed{};  ///< Buttons that have gone down since the last reading.
+    std::array<bool, kPadActions.size()>
+        pressed{};  ///< Buttons that have gone down since the last reading; while it is awaited only STOP.
 
     double of(PadAction action) const { return value[static_cast<std::size_t>(action)]; }
     bool wasPressed(PadAction action) const { return pressed[static_cast<std::size_t>(action)]; }

@@ -76,6 +76,7 @@ void DrivePad::lose() {
 
 void DrivePad::begin() {
     if (std::exchange(drove_, false)) control_.brake();
+    say({});
     reader_ = PadReader();
     state_ = {};
     learn(std::nullopt);
@@ -169,6 +170,7 @@ void DrivePad::act(const PadState& state) {
         if (news) emit moved();
         return;
     }
+    if (awaited && !reading_.awaitsNeutral && noticeEndsAtNeutral_) say({});
     if (on_) drive();
     if (awaited != reading_.awaitsNeutral) emit changed();
     if (news) emit moved();
@@ -193,14 +195,14 @@ void DrivePad::drive() {
     if (control_.setWheels(DriveInput::Gamepad, wheels, true)) return;
     drove_ = false;
     awaitNeutral();
-    say(tr("Something else is held that drives. Let go of it, and of the sticks."));
+    sayUntilNeutral(tr("Something else is held that drives. Let go of it, and of the sticks."));
 }
 
 void DrivePad::fallAsleep() {
     control_.brake();
     drove_ = false;
     awaitNeutral();
-    say(tr(
+    sayUntilNeutral(tr(
         "Nothing has moved on the gamepad for 5 s: the chosen robots were told to brake. Wake it up, and let "
         "its sticks go."));
     emit changed();
@@ -229,9 +231,15 @@ void DrivePad::ask(const thunderbots::Command& command) {
 }
 
 void DrivePad::say(const QString& words) {
+    noticeEndsAtNeutral_ = false;
     if (words == notice_) return;
     notice_ = words;
     emit changed();
+}
+
+void DrivePad::sayUntilNeutral(const QString& words) {
+    say(words);
+    noticeEndsAtNeutral_ = true;
 }
 
 }  // namespace kickstand::ui

@@ -66,6 +66,8 @@ class DrivePad final : public QObject {
     void kick(bool chip);
     void ask(const thunderbots::Command& command);
     void say(const QString& words);
+    /// The same, until the sticks have been let go.
+    void sayUntilNeutral(const QString& words);
 
     Bench& bench_;
     DriveControl& control_;
@@ -82,6 +84,7 @@ class DrivePad final : public QObject {
     std::optional<PadAction> learning_;
     std::optional<PadLearner> learner_;
     QString notice_;
+    bool noticeEndsAtNeutral_ = false;
 };
 
 }  // namespace kickstand::ui
