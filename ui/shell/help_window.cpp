@@ -108,8 +108,9 @@ void HelpWindow::showHeading(const QString& anchor) {
 void HelpWindow::showPage(const QString& page) {
     const QUrl url(QStringLiteral("qrc:/help/") + page);
     browser_->setSource(url.adjusted(QUrl::RemoveFragment), QTextDocument::MarkdownResource);
-    showHeading(url.fragment());
+    // Only what is laid out can be scrolled to.
     show();
+    showHeading(url.fragment());
     raise();
     activateWindow();
 }

@@ -58,6 +58,8 @@ PanelDock::PanelDock(const QString& id, const QString& title, const QString& hel
     : QDockWidget(title, parent), make_(std::move(make)), helpPage_(helpPage) {
     setObjectName(id);
     setAccessibleName(title);
+    // A click beside its controls says as well which panel is meant.
+    setFocusPolicy(Qt::ClickFocus);
     auto* header = new PanelHeader(this);
     headerRow_ = new QHBoxLayout(header);
     headerRow_->setContentsMargins(metrics::kPadding, 1, metrics::kGap, 1);

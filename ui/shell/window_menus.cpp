@@ -20,6 +20,17 @@ namespace {
 
 constexpr const char* kGuidePage = "bench-guide.md";
 
+/// The first control of a panel that can be used now, in the order of the Tab key; the dock where none can.
+QWidget* firstControl(PanelDock& dock) {
+    QWidget* const panel = dock.panel();
+    for (QWidget* widget = panel->nextInFocusChain(); widget != panel; widget = widget->nextInFocusChain()) {
+        const bool own = panel->isAncestorOf(widget);
+        if (own && widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0)
+            return widget;
+    }
+    return &dock;
+}
+
 }  // namespace
 
 WindowMenus::WindowMenus(Bench& bench, MainWindow& window, Theme& theme, FocusGuard& focusGuard)
@@ -50,13 +61,7 @@ void WindowMenus::addPanels() {
         connect(go, &QAction::triggered, dock, [dock] {
             dock->show();
             dock->raise();
-            QWidget* first = dock->panel();
-            // The panel's own first control, in the order of the Tab key.
-            while (first != nullptr && (first->focusPolicy() & Qt::TabFocus) == 0) {
-                first = first->nextInFocusChain();
-                if (first == dock->panel()) break;
-            }
-            if (first != nullptr) first->setFocus(Qt::ShortcutFocusReason);
+            firstControl(*dock)->setFocus(Qt::ShortcutFocusReason);
         });
         window_.addAction(go);
         // Its shortcut is the other action's: showing is not hiding.
@@ -123,7 +128,7 @@ void WindowMenus::addHelp() {
 }
 
 void WindowMenus::helpOfFocus() {
-    const PanelDock* dock = window_.workbench().focusedDock();
+    const PanelDock* dock = window_.workbench().currentDock();
     window_.showHelp(dock == nullptr ? QString::fromLatin1(kGuidePage) : dock->helpPage());
 }
 

@@ -22,6 +22,7 @@ namespace kickstand::ui {
 namespace {
 
 constexpr const char* kLayoutSetting = "window/docks";
+constexpr const char* kSideSetting = "window/sideWidth";
 constexpr int kLayoutVersion = 2;
 constexpr int kSideWidth = 300;
 constexpr int kAsideWidth = 276;
@@ -39,6 +40,10 @@ Workbench::Workbench(Bench& bench, QWidget* parent) : QMainWindow(parent, Qt::Wi
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setContentsMargins(metrics::kGap, metrics::kGap, metrics::kGap, metrics::kGap);
     addPanels();
+    connect(qApp, &QApplication::focusChanged, this,
+            [this](QWidget*, QWidget* focused) { followFocus(focused); });
+    connect(this, &QMainWindow::tabifiedDockWidgetActivated, this,
+            [this](QDockWidget* dock) { current_ = qobject_cast<PanelDock*>(dock); });
 }
 
 void Workbench::addPanels() {
@@ -65,6 +70,7 @@ void Workbench::go(const QString& panel, const QString& detail) {
         dock->show();
         dock->raise();
         dock->panel()->showDetail(detail);
+        current_ = dock;
     }
 }
 
@@ -153,6 +159,8 @@ void Workbench::raiseFirst() {
         const QList<QDockWidget*> docks = docksAt(place);
         if (!docks.isEmpty()) docks.front()->raise();
     }
+    // Nobody has asked for any of them.
+    current_ = nullptr;
 }
 
 void Workbench::sizePanels() {
@@ -191,7 +199,12 @@ void Workbench::showEvent(QShowEvent* event) {
     if (!std::exchange(sized_, true)) {
         sizePanels();
         raiseFirst();
+    } else {
+        // The window may be larger than the one that was left.
+        sideWidth_ = bench_.settings().value(kSideSetting).toInt();
+        keepSideWidth();
     }
+    fittedWidth_ = width();
     // The others can wait until there is something to look at.
     connect(new FirstPaint(*this), &FirstPaint::painted, this, &Workbench::makeNextPanelSoon);
 }
@@ -251,11 +264,17 @@ void Workbench::makePanels() {
         dock->panel();
 }
 
-PanelDock* Workbench::focusedDock() const {
-    for (QWidget* widget = QApplication::focusWidget(); widget != nullptr; widget = widget->parentWidget()) {
-        if (auto* dock = qobject_cast<PanelDock*>(widget)) return dock;
+PanelDock* Workbench::currentDock() const {
+    return current_ == nullptr || current_->visibleRegion().isEmpty() ? nullptr : current_;
+}
+
+void Workbench::followFocus(QWidget* focused) {
+    for (QWidget* widget = focused; widget != nullptr; widget = widget->parentWidget()) {
+        auto* dock = qobject_cast<PanelDock*>(widget);
+        if (dock == nullptr) continue;
+        if (dock->parentWidget() == this) current_ = dock;
+        return;
     }
-    return nullptr;
 }
 
 void Workbench::restoreLayout() {
@@ -273,7 +292,10 @@ void Workbench::restoreLayout() {
 }
 
 void Workbench::saveLayout() const {
+    // Before it is shown a layout has no size: what would be saved is not what a person left.
+    if (!shown_) return;
     bench_.settings().setValue(kLayoutSetting, saveState(kLayoutVersion));
+    bench_.settings().setValue(kSideSetting, sideWidth_);
 }
 
 void Workbench::resetLayout() {

@@ -17,8 +17,8 @@ class Workbench final : public QMainWindow {
     explicit Workbench(Bench& bench, QWidget* parent = nullptr);
 
     const std::vector<PanelDock*>& docks() const { return docks_; }
-    /// The dock that has the focus; null where none has.
-    PanelDock* focusedDock() const;
+    /// The dock that was last worked in or brought to the front, as far as it can be seen; null for none.
+    PanelDock* currentDock() const;
     void restoreLayout();
     void saveLayout() const;
     /// As on the first day.
@@ -44,6 +44,7 @@ class Workbench final : public QMainWindow {
     void keepSideWidth();
     void raiseFirst();
     void go(const QString& panel, const QString& detail);
+    void followFocus(QWidget* focused);
     void followSession();
     void makeFrontPanels();
     void makeNextPanel();
@@ -57,10 +58,11 @@ class Workbench final : public QMainWindow {
     std::set<PanelDock*> withheld_;          ///< To be shown when their system is at work.
     const SystemView* shownSystem_ = nullptr;
     PanelDock* simulated_ = nullptr;  ///< There only for simulated links.
-    int sideWidth_ = 0;               ///< As a person left it; 0 before that is known.
-    int fittedWidth_ = 0;             ///< That the panels were laid out for.
-    bool sized_ = false;              ///< Sizes are those that a person left.
-    bool shown_ = false;              ///< The window has been there.
+    PanelDock* current_ = nullptr;
+    int sideWidth_ = 0;    ///< As a person left it; 0 before that is known.
+    int fittedWidth_ = 0;  ///< That the panels were laid out for.
+    bool sized_ = false;   ///< Sizes are those that a person left.
+    bool shown_ = false;   ///< The window has been there.
 };
 
 }  // namespace kickstand::ui
