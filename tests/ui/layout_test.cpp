@@ -37,7 +37,8 @@ class LayoutTest : public BenchTest {
 };
 
 TEST_F(LayoutTest, AllSixteenTilesAreVisibleAtTheSmallestSizeWithBannersAndDoNotOverlap) {
-    ASSERT_TRUE(resizeTo({1280, 800}));
+    // A screen of 1280 × 800 less a title bar.
+    ASSERT_TRUE(resizeTo({1280, 776}));
     rig.client().stop(StopReason::Person);
     ASSERT_TRUE(rig.settle());
     ASSERT_TRUE(rig.find<QWidget>(QStringLiteral("stoppedBanner"))->isVisible());
@@ -205,6 +206,34 @@ TEST_F(LayoutTest, TheNextWindowsPanelsAreAsLargeAsTheyWereLeft) {
             << dock->objectName().toStdString() << " is " << dock->width() << " x " << dock->height()
             << " and was " << was.width() << " x " << was.height();
     }
+}
+
+TEST_F(LayoutTest, AWindowThatOnlyShowedTheStartPageLeavesTheLayoutAsItWas) {
+    ASSERT_TRUE(resizeTo({1440, 900}));
+    rig.window().close();
+    const QVariant layout = rig.settings().value(QStringLiteral("window/docks"));
+    rig.bench().disconnectAll();
+    ASSERT_TRUE(waitUntil([this] { return rig.bench().session() == nullptr; }));
+    ui::MainWindow next(rig.bench(), rig.theme());
+    next.show();
+    ASSERT_FALSE(next.workbench().isVisible());
+    next.close();
+    EXPECT_EQ(rig.settings().value(QStringLiteral("window/docks")), layout);
+}
+
+TEST_F(LayoutTest, AWindowEnlargedOnTheStartPageLeavesTheTilesAsWideAsTheyWere) {
+    ASSERT_TRUE(resizeTo({1280, 800}));
+    const int tiles = rig.find<ui::PanelDock>(QStringLiteral("robots"))->width();
+    rig.window().close();
+    rig.bench().disconnectAll();
+    ASSERT_TRUE(waitUntil([this] { return rig.bench().session() == nullptr; }));
+    ui::MainWindow next(rig.bench(), rig.theme());
+    next.show();
+    next.resize(1920, 1080);
+    ASSERT_TRUE(rig.connectTo());
+    const auto* robots = next.findChild<ui::PanelDock*>(QStringLiteral("robots"));
+    EXPECT_TRUE(waitUntil([&] { return robots->isVisible() && robots->width() == tiles; }))
+        << tiles << " became " << robots->width();
 }
 
 TEST_F(LayoutTest, TheLastLinkIsOfferedAgain) {

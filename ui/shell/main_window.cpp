@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -52,7 +53,8 @@ MainWindow::MainWindow(Bench& bench, Theme& theme)
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Kickstand"));
     setMinimumSize(kSmallest);
-    resize(kFirstSize.boundedTo(screen()->availableSize()));
+    const QSize frame(0, style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this));
+    resize(kFirstSize.boundedTo(screen()->availableSize() - frame));
     makeBanners();
     build();
     restoreGeometry(bench_.settings().value(kGeometrySetting).toByteArray());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kColumns = 2;
 constexpr int kRows = kRobots / kColumns;
-constexpr int kTileGap = 6;
+constexpr int kTileGap = 4;
 
 /// The place that a key leads to; it may lie outside.
 int neighbour(int place, int key) {

@@ -27,7 +27,8 @@ RobotsPanel::RobotsPanel(Bench& bench, RobotChoice& choice, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(metrics::kGap, metrics::kGap, metrics::kGap, metrics::kGap);
     column->setSpacing(6);
-    // All sixteen fit from 800 pixels on; below that they scroll.
+    // All sixteen fit on a screen of 800 pixels, under a title bar, while the hint is one line; below that
+    // they scroll.
     QScrollArea* area = scrolled(grid_, this);
     area->setMinimumWidth(grid_->minimumSizeHint().width());
     column->addWidget(area, 1);
@@ -53,10 +54,11 @@ void RobotsPanel::refresh() {
 }
 
 QString RobotsPanel::hintFor(const Snapshot& snapshot, int heard) const {
-    if (snapshot.link != LinkState::Running) return tr("No link: what is shown is of before it was lost.");
-    if (heard == 0) return tr("No robot is heard yet. Switch one on: it takes its place at the top.");
-    if (choice_.chosen() == 0)
-        return tr("Click a robot to choose it, Ctrl-click to add more, Ctrl+A for all.");
+    if (snapshot.link != LinkState::Running)
+        return snapshot.connections == 0 ? tr("No link yet.")
+                                         : tr("No link: all this is of before it was lost.");
+    if (heard == 0) return tr("No robot is heard yet. Switch one on.");
+    if (choice_.chosen() == 0) return tr("Click to choose, Ctrl-click to add, Ctrl+A for all.");
     return grid_->marks().oddOne < 0
                ? tr("Driving applies to all that are chosen.")
                : tr("Robot %1 is the only one %2.").arg(grid_->marks().oddOne).arg(grid_->marks().oddBy);
