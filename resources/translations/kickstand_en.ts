@@ -9599,23 +9599,27 @@ steps not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No link: what is shown is of before it was lost.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is heard yet. Switch one on: it takes its place at the top.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click a robot to choose it, Ctrl-click to add more, Ctrl+A for all.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Driving applies to all that are chosen.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Robot %1 is the only one %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No link yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No link: all this is of before it was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is heard yet. Switch one on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to choose, Ctrl-click to add, Ctrl+A for all.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
