@@ -1,5 +1,4 @@
 #include <QFile>
-#include <QSaveFile>
 #include <array>
 
 #include "app/kickstand-sim/control_client.h"
@@ -11,6 +10,7 @@
 #include "app/kickstand-sim/json.h"
 #include "app/kickstand-sim/words.h"
 #include "app/kickstandctl/interruption.h"
+#include "app/kickstandctl/save_file.h"
 #include "core/engine/describe_facts.h"
 
 namespace kickstand::sim {
@@ -89,15 +89,7 @@ class Ctl {
         if (!unit) return tl::unexpected(unit.error());
         const auto image = readFlash(*unit);
         if (!image) return tl::unexpected(image.error());
-        QSaveFile file(QFile::decodeName(words_[2].c_str()));
-        if (!file.open(QIODevice::WriteOnly) || file.write(*image) != image->size() || !file.commit()) {
-            ctl::Failure failure = ctl::failed({.code = Errc::Io}).value();
-            failure.text = {
-                Words::tr("%1 cannot be written: %2.").arg(printable(words_[2]), file.errorString()),
-                Words::tr("Name another file."),
-                {}};
-            return tl::unexpected(failure);
-        }
+        if (auto saved = ctl::saveFile(QFile::decodeName(words_[2].c_str()), *image); !saved) return saved;
         value({{unitName_, *unit},
                {QStringLiteral("bytes"), image->size()},
                {QStringLiteral("file"), printable(words_[2])}});

@@ -1,6 +1,5 @@
 #include <QFile>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/motion.h"
 #include "app/kickstandctl/output.h"
+#include "app/kickstandctl/save_file.h"
 #include "app/kickstandctl/session_runner.h"
 #include "app/kickstandctl/typed_line.h"
 #include "app/kickstandctl/values.h"
@@ -216,10 +216,7 @@ Outcome save(const QString& path, const CheckProgress& check, WallTime began) {
     const QByteArray content = path.endsWith(u".html")   ? checkReportHtml(check, began).toUtf8()
                                : path.endsWith(u".json") ? QJsonDocument(checkReport(check, began)).toJson()
                                                          : checkReportText(check, began).toUtf8();
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit()) return {};
-    return failed(
-        {.code = Errc::Io, .subject = path.toStdString(), .detail = file.errorString().toStdString()});
+    return saveFile(path, content);
 }
 
 /// What came of it, whatever ended it: a report of half a check is worth having too.

@@ -1,4 +1,3 @@
-#include <QSaveFile>
 #include <array>
 
 #include "app/kickstandctl/families.h"
@@ -7,6 +6,7 @@
 #include "app/kickstandctl/json.h"
 #include "app/kickstandctl/motion.h"
 #include "app/kickstandctl/output.h"
+#include "app/kickstandctl/save_file.h"
 #include "app/kickstandctl/session_runner.h"
 #include "app/kickstandctl/text.h"
 #include "app/kickstandctl/values.h"
@@ -250,10 +250,10 @@ class Flashing {
     void saveLog(const QStringList& log) {
         if (!context_.invocation.has("--log")) return;
         const std::string_view path = context_.invocation.text("--log");
-        QSaveFile file(QString::fromUtf8(path.data(), static_cast<qsizetype>(path.size())));
-        const QByteArray content = log.join(u'\n').toUtf8();
-        if (file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit()) return;
-        context_.output.line(Words::tr("The log could not be written: %1.").arg(file.errorString()));
+        const auto saved = saveFile(QString::fromUtf8(path.data(), static_cast<qsizetype>(path.size())),
+                                    log.join(u'\n').toUtf8());
+        // What became of the robots is what the exit code says.
+        if (!saved) context_.output.line(saved.error().text.line());
     }
 
     struct Told {

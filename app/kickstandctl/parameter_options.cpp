@@ -1,8 +1,8 @@
 #include "app/kickstandctl/parameter_options.h"
 
 #include <QFile>
-#include <QSaveFile>
 
+#include "app/kickstandctl/save_file.h"
 #include "app/kickstandctl/words.h"
 #include "core/base/hex.h"
 #include "core/engine/describe_facts.h"
@@ -67,15 +67,7 @@ Expected<ParameterValues> readParameterValues(const Invocation& invocation) {
 }
 
 Outcome saveParameterFile(std::string_view path, const ParameterValues& values) {
-    const QByteArray content = writeParameterFile(values);
-    QSaveFile file(fromView(path));
-    if (file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit()) return {};
-    auto failure = failed({.code = Errc::Io}).value();
-    failure.text = {
-        Words::tr("“%1” cannot be written: %2.").arg(printable(std::string(path)), file.errorString()),
-        Words::tr("Check the place and the room on it."),
-        {}};
-    return tl::unexpected(std::move(failure));
+    return saveFile(fromView(path), writeParameterFile(values));
 }
 
 QJsonObject parametersToJson(const thunderbots::ParameterState& state) {

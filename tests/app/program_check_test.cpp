@@ -61,6 +61,15 @@ TEST_F(ProgramCheck, AStepThatDoesNotPassIsExitOneWithTheReportSaved) {
     EXPECT_TRUE(html.contains("≥ 17.50 V")) << html.toStdString();
 }
 
+TEST_F(ProgramCheck, AReportThatCannotBeSavedIsToldWithItsFile) {
+    const Ended ended = runSimulated({"thunderbots", "check", "--robot", "1", "--only", "battery", "--limits",
+                                      limits(R"({"least_battery_V": 13})"), "--seen", "yes", "--report",
+                                      path("nowhere/report.html")});
+    EXPECT_EQ(ended.exitCode, 1);
+    EXPECT_TRUE(ended.oneComplaint()) << ended.err;
+    EXPECT_NE(ended.err.find("nowhere/report.html” cannot be written"), std::string::npos) << ended.err;
+}
+
 TEST_F(ProgramCheck, NotSeenAndSkippedAreNotPassed) {
     for (const char* const answer : {"no", "skip"}) {
         const Ended ended =
