@@ -5888,14 +5888,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name another file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 bytes written to %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11755,10 +11747,6 @@ replug. “actions” lists them all, with their bounds; “flash” saves a rob
     </message>
     <message>
         <source>Robot %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The log could not be written: %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
