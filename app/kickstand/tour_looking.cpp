@@ -35,6 +35,27 @@ void addExperiment(TourMaker& tour) {
               tour.whenRobot([](const RobotState& robot) { return robot.experiment.known.all(); }));
 }
 
+/// Clears what has arrived while the rest is still on its way: what came first is missing then. Once more
+/// where that was too late.
+TourMaker::Done withTheFirstPiecesCleared(TourMaker& tour) {
+    const auto clear = tour.press("experimentClear");
+    const auto send = tour.simulate("experiment", TourMaker::kRobot, 1);
+    return tour.whenRobot([clear, send](const RobotState& robot) {
+        const auto& known = robot.experiment.known;
+        const bool early = known.test(0) && known.count() <= 2 * wire::kExperimentPieceBytes;
+        if (early || known.all()) clear();
+        if (known.all()) send();
+        return !known.test(0) && known.test(known.size() - 1);
+    });
+}
+
+void addExperimentGap(TourMaker& tour) {
+    tour.add("experiment-clear", tour.press("experimentClear"),
+             tour.whenRobot([](const RobotState& robot) { return robot.experiment.known.none(); }));
+    tour.show("experiment-gap", tour.simulate("experiment", TourMaker::kRobot, 1),
+              withTheFirstPiecesCleared(tour));
+}
+
 void addFaults(TourMaker& tour) {
     tour.add("dongle-error", tour.simulate("error", -1, 44),
              tour.when([](const Snapshot& snapshot) { return snapshot.traffic.dongleErrors > 0; }));
@@ -60,6 +81,7 @@ void addDoctor(TourMaker& tour) {
 void addLookingSteps(TourMaker& tour) {
     addLeds(tour);
     addExperiment(tour);
+    addExperimentGap(tour);
     addFaults(tour);
     addSimulated(tour);
     addDoctor(tour);

@@ -54,6 +54,8 @@ class TourMaker {
     std::vector<TourStep> steps_;
 };
 
+/// Curves with the gap that a lost robot leaves: robot 3 is lost before, and heard again afterwards.
+void addGapSteps(TourMaker& tour);
 /// Test LEDs, experiment data, events, fault codes, simulated robots, and why it does not work.
 void addLookingSteps(TourMaker& tour);
 /// A kick and what it did, a sweep, autokick: with the robot charged and a ball in its beam.

@@ -36,6 +36,7 @@ class Steps final : public TourMaker {
         addFirmwareSteps(*this);
         stopping();
         losing();
+        addGapSteps(*this);
         addSmallSteps(*this);
         leaving();
         addMotionplanSteps(*this);

@@ -1,6 +1,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMenu>
+#include <algorithm>
+#include <chrono>
 
 #include "app/kickstand/tour_maker.h"
 #include "ui/plot/time_plot.h"
@@ -11,6 +13,8 @@ namespace kickstand::app {
 using namespace thunderbots;
 
 namespace {
+
+using namespace std::chrono_literals;
 
 constexpr int kRobot = TourMaker::kRobot;
 /// Of the trigger: robot 3's battery falls past it.
@@ -36,9 +40,23 @@ TourMaker::Done batteryIs(const TourMaker& tour, bool low) {
         [low](const RobotState& robot) { return (robot.readings.battery_V < kLevel_V) == low; });
 }
 
+/// Whether all curves have values for so long, up to now.
+TourMaker::Done knownFor(const TourMaker& tour, Duration time) {
+    return [window = tour.window(), bench = tour.bench(), time] {
+        const ui::TimePlot& plot = window->findChild<ui::VoltagesPanel*>()->plot();
+        const TimePoint now = bench->client().now();
+        return std::ranges::all_of(plot.state().curves, [&](const ui::PlotCurve& curve) {
+            return plot.valueAt(curve, now - time) && plot.valueAt(curve, plot.state().view.now());
+        });
+    };
+}
+
 void addCursors(TourMaker& tour) {
-    tour.add("voltages-30-s", choose(tour.window(), "plotSpanMenu", QStringLiteral("30 s")));
+    ui::MainWindow* window = tour.window();
+    tour.add("voltages-30-s", choose(window, "plotSpanMenu", QStringLiteral("30 s")));
     tour.show("voltages", tour.press("plotFollow"));
+    // Data lie between the cursors.
+    tour.add("voltages-10-s", choose(window, "plotSpanMenu", QStringLiteral("10 s")), knownFor(tour, 10s));
     tour.add("voltages-pause", tour.press("plotPause"));
     tour.show("voltages-cursors", tour.press("plotCursors"));
     tour.add("voltages-no-cursors", tour.press("plotCursors"));
@@ -55,8 +73,12 @@ void addTrigger(TourMaker& tour) {
         window->findChild<QDoubleSpinBox*>(QStringLiteral("triggerLevel"))->setValue(kLevel_V);
         window->findChild<QAbstractButton*>(QStringLiteral("triggerArm"))->click();
     });
-    tour.show("voltages-trigger", tour.simulate("battery", kRobot, kAfter_V),
-              [window] { return !window->findChild<ui::VoltagesPanel*>()->plot().isFollowing(); });
+    // It has fired, and what came after it is drawn too.
+    tour.show("voltages-trigger", tour.simulate("battery", kRobot, kAfter_V), [window, bench = tour.bench()] {
+        const auto& trigger = window->findChild<ui::VoltagesPanel*>()->plot().state().trigger;
+        return trigger->state == ui::PlotTrigger::State::Caught &&
+               bench->client().now() > trigger->caughtAt + 2s;
+    });
     tour.add("trigger-off", tour.press("plotTrigger"));
     tour.add("battery-full-again", tour.simulate("battery", kRobot, kBefore_V), batteryIs(tour, false));
 }
@@ -72,6 +94,9 @@ void addAllRobots(TourMaker& tour) {
     tour.add("voltages-60-s", choose(window, "plotSpanMenu", QStringLiteral("60 s")));
     tour.show("voltages-many", tour.press("plotFollow"));
     tour.add("no-dribbler-signal", signal("Dribbler"));
+    for (const int robot : {2, 4, 5, 6, 8, 9, 11, 13, 14, 15})
+        tour.add("pin", choose(window, "plotRobotsMenu", QStringLiteral("Robot %1").arg(robot)));
+    tour.show("voltages-sixteen", choose(window, "plotSpanMenu", QStringLiteral("30 s")));
     tour.add("unpin", choose(window, "plotRobotsMenu", QStringLiteral("Those")));
 }
 
@@ -83,6 +108,18 @@ void addVoltagesSteps(TourMaker& tour) {
     addTrigger(tour);
     addAllRobots(tour);
     tour.add("drive-again", tour.goTo("drive"));
+}
+
+void addGapSteps(TourMaker& tour) {
+    ui::Bench* bench = tour.bench();
+    tour.add("gap-span", choose(tour.window(), "plotSpanMenu", QStringLiteral("30 s")));
+    tour.add(
+        "gap-lasts", [] {}, tour.whenRobot([bench](const RobotState& robot) {
+            return robot.freshness == Freshness::Stale && bench->client().now() > robot.currentUntil + 3s;
+        }));
+    tour.add("gap-ends", tour.simulate("dead", kRobot, 0),
+             tour.whenRobot([](const RobotState& robot) { return robot.freshness == Freshness::Current; }));
+    tour.show("voltages-gap", tour.press("plotFollow"), knownFor(tour, 2s));
 }
 
 }  // namespace kickstand::app

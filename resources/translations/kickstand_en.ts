@@ -3773,6 +3773,13 @@
     </message>
 </context>
 <context>
+    <name>MarkText</name>
+    <message>
+        <source>trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MotionplanView</name>
     <message>
         <source>Motion plans</source>
@@ -5766,15 +5773,7 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 heard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is heard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 lost</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5812,6 +5811,91 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     <message>
         <source>Robot %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot %1 heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n kicks</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n autokicks</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faults</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n STOPs</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>re-armed %n times</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>connected %n times</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>link lost %n times</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n robots heard</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>robot %1 heard %n times</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n robots lost</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>robot %1 lost %n times</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10011,10 +10095,6 @@ steps not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it did at %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pictures (*.png)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10032,6 +10112,10 @@ steps not known</source>
     </message>
     <message>
         <source>Cannot write %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fired at %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -55,6 +55,15 @@ TEST_F(ExperimentTest, WhatArrivesIsShownByteByByteForTheChosenRobot) {
     EXPECT_TRUE(state().contains(QStringLiteral("Nothing has arrived from robot 3")));
 }
 
+TEST_F(ExperimentTest, AllBytesAreSeenAtOnceInTheSmallestWindow) {
+    rig.window().resize(1280, 800);
+    auto* table = rig.find<QTableView>(QStringLiteral("experimentBytes"));
+    EXPECT_TRUE(waitUntil([table] {
+        const QRect last = table->visualRect(table->model()->index(15, 15));
+        return !last.isEmpty() && table->viewport()->rect().contains(last);
+    }));
+}
+
 TEST_F(ExperimentTest, ClearingForgetsThisRobotAlone) {
     ASSERT_TRUE(receive(1));
     ASSERT_TRUE(receive(2));

@@ -199,7 +199,7 @@ TEST_F(VoltagesTest, TheTriggerWaitsForALevelAndStandsStill) {
     EXPECT_TRUE(state->text().contains(QStringLiteral("waiting")));
     rig.simulate("battery", 2, 14);
     ASSERT_TRUE(waitUntil([this] { return !plot().isFollowing(); }));
-    EXPECT_TRUE(state->text().contains(QStringLiteral("it did")));
+    EXPECT_TRUE(state->text().contains(QStringLiteral("fired at")));
     rig.click(QStringLiteral("plotTrigger"));
     EXPECT_FALSE(plot().state().trigger);
     EXPECT_FALSE(state->isVisible());
@@ -249,6 +249,22 @@ TEST(VoltagesContents, EveryKindOfMarkHasWords) {
         EXPECT_FALSE(words->label.isEmpty()) << kind;
         EXPECT_FALSE(words->words.isEmpty()) << kind;
     }
+}
+
+TEST(VoltagesContents, SeveralMarksOfAKindAreToldTogether) {
+    for (int kind = 0; kind <= static_cast<int>(MarkKind::UnitLost); ++kind) {
+        const QString text = ui::marksText({static_cast<MarkKind>(kind), 5, 3, 2});
+        EXPECT_FALSE(text.isEmpty()) << kind;
+    }
+    EXPECT_EQ(ui::marksText({MarkKind::UnitHeard, 16, 16, 0}), QStringLiteral("16 robots heard"));
+    EXPECT_EQ(ui::marksText({MarkKind::UnitLost, 3, 1, 4}), QStringLiteral("robot 4 lost 3 times"));
+    EXPECT_EQ(ui::marksText({MarkKind::Kick, 7, 1, 4}), QStringLiteral("7 kicks"));
+}
+
+TEST(VoltagesContents, ANumberInAMarksWordsIsSaidToBeARobots) {
+    const auto heard = ui::markWords({TimePoint(1s), MarkKind::UnitHeard, 0, 0}, kAllRobots);
+    ASSERT_TRUE(heard);
+    EXPECT_EQ(heard->label, QStringLiteral("robot 0 heard"));
 }
 
 TEST(VoltagesContents, EachSignalHasItsAreaAndARobotOneColour) {

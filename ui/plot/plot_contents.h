@@ -44,6 +44,17 @@ struct MarkWords {
 };
 /// Nothing for a mark that is not shown.
 using DescribeMark = std::function<std::optional<MarkWords>(const Mark&)>;
+/// Several marks of a kind at about the same time.
+struct MarkCount {
+    MarkKind kind = MarkKind::Kick;
+    int count = 0;
+    int units = 0;                 ///< How many different ones they concern.
+    std::uint16_t unit = kNoUnit;  ///< The first one.
+
+    friend bool operator==(const MarkCount&, const MarkCount&) = default;
+};
+/// How they are told together: "16 robots heard".
+using CountMarks = std::function<QString(const MarkCount&)>;
 
 /// What time it is, on the clock of the samples and on the wall.
 struct PlotClock {

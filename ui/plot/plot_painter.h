@@ -1,11 +1,13 @@
 #pragma once
 
 #include <QColor>
-#include <QFont>
-#include <QRect>
+#include <QRectF>
 #include <vector>
 
+#include "ui/plot/described_marks.h"
+#include "ui/plot/plot_geometry.h"
 #include "ui/plot/plot_state.h"
+#include "ui/plot/plot_text.h"
 
 class QPainter;
 
@@ -13,57 +15,32 @@ namespace kickstand::ui {
 
 struct Tokens;
 
-/// Where things lie on the screen: one rectangle an area, top to bottom.
-struct PlotGeometry {
-    std::vector<QRect> areas;
-    int labelRoom = 0;  ///< Pixels to the right of an area.
-
-    bool empty() const { return areas.empty(); }
-    /// Horizontal pixels are the same in all areas.
-    double xOf(const TimeView& view, TimePoint time) const;
-    TimePoint timeAt(const TimeView& view, double x) const;
-    double yOf(std::size_t area, const ValueRange& range, double value) const;
-    /// The area at a height, its surroundings included; -1 where there is none.
-    int areaAt(double y) const;
-};
-
-/// The plot's small letters. Finding digits of one width takes time: made once a theme.
-struct PlotFonts {
-    QFont text;
-    QFont strong;
-    QFont number;
-};
-PlotFonts plotFonts();
-
 /// Draws what lies under and over the curves: thresholds; marks, cursors, trigger, labels.
 class PlotPainter {
   public:
     PlotPainter(const PlotState& state, const PlotGeometry& geometry, const Tokens& tokens,
-                const PlotFonts& fonts)
-        : state_(state), geometry_(geometry), t_(tokens), fonts_(fonts) {}
+                const PlotFonts& fonts, DescribedMarks& marks)
+        : state_(state), geometry_(geometry), t_(tokens), fonts_(fonts), marks_(marks) {}
 
     void paintUnder(QPainter& painter) const;
     void paintOver(QPainter& painter) const;
 
   private:
-    struct ShownMark {
-        double x;
-        MarkWords words;
-    };
-
-    void paintThresholds(QPainter& painter, std::size_t area) const;
-    void paintTitle(QPainter& painter, std::size_t area) const;
+    void paintNames(QPainter& painter, std::size_t area) const;
+    QRectF paintTitle(QPainter& painter, std::size_t area) const;
+    QRectF paintTriggerName(QPainter& painter, std::size_t area) const;
     void paintEnds(QPainter& painter, std::size_t area) const;
-    void paintMarks(QPainter& painter) const;
-    void paintMarkLabels(QPainter& painter, const std::vector<ShownMark>& marks) const;
-    void paintTrigger(QPainter& painter) const;
-    void paintCursors(QPainter& painter) const;
-    void line(QPainter& painter, double x, const QColor& colour, Qt::PenStyle style) const;
+    void paintCursorLines(QPainter& painter) const;
+    void paintCursorFlags(QPainter& painter) const;
+    /// Where the time between the cursors stands, in the lane's top row.
+    QRectF deltaPlace() const;
+    std::optional<double> triggerLevel(std::size_t area) const;
 
     const PlotState& state_;
     const PlotGeometry& geometry_;
     const Tokens& t_;
     const PlotFonts& fonts_;
+    DescribedMarks& marks_;
 };
 
 /// The mark whose line is nearest to x, at most some pixels away.

@@ -1,6 +1,7 @@
 #include "ui/plot/plot_scene.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "ui/plot/span_plottable.h"
 #include "ui/plot/time_ticks.h"
@@ -12,10 +13,13 @@ namespace {
 
 constexpr int kLeftRoom = 44;
 constexpr int kRightRoom = 40;
-constexpr int kTopRoom = 8;
+constexpr int kTopRoom = 4;
 /// Labels of neighbouring areas do not touch.
 constexpr int kBetween = 6;
 constexpr int kBottomRoom = 20;
+/// The lane has a row of words for so many pixels of the plot's height.
+constexpr int kHeightOfLaneRow = 75;
+constexpr int kMostLaneRows = 3;
 constexpr int kFontSize = 11;
 /// No more than one label in so many pixels.
 constexpr int kTimeTickRoom = 90;
@@ -44,11 +48,18 @@ class TimeTicker final : public QCPAxisTicker {
         if (labels != nullptr) labels->clear();
         for (const TimeTick& tick : made) {
             ticks.append(coordinateOf(tick.at));
-            if (labels != nullptr) labels->append(tick.label);
+            if (labels != nullptr) labels->append(isUnderCursor(tick) ? QString() : tick.label);
         }
     }
 
   private:
+    /// The flags of the cursors stand where labels do.
+    bool isUnderCursor(const TimeTick& tick) const {
+        const Cursors& cursors = state_.cursors;
+        const Duration reach = state_.view.columnWidth() * (kTimeTickRoom / 2);
+        return cursors.isShown() && cursors.nearest(tick.at, reach) >= 0;
+    }
+
     const QCustomPlot& plot_;
     const PlotState& state_;
 };
@@ -91,7 +102,7 @@ PlotScene::PlotScene(QCustomPlot& plot, PlotState& state)
     const auto painted = [this](void (PlotPainter::*paint)(QPainter&) const) {
         return [this, paint](QPainter& painter) {
             const PlotGeometry geometry = this->geometry();
-            const PlotPainter plotPainter(state_, geometry, tokensOf(plot_.palette()), fonts_);
+            const PlotPainter plotPainter(state_, geometry, tokensOf(plot_.palette()), fonts_, marks_);
             (plotPainter.*paint)(painter);
         };
     };
@@ -112,13 +123,13 @@ void PlotScene::rebuild() {
     for (int i = 0; i < count; ++i)
         addArea(i, i + 1 == count);
     plot_.plotLayout()->setRowSpacing(0);
+    shared_ = {};
     recolour();
 }
 
 void PlotScene::addArea(int index, bool last) {
     auto* rect = new QCPAxisRect(&plot_, false);
     rect->setAutoMargins(QCP::msNone);
-    rect->setMargins(QMargins(kLeftRoom, kTopRoom, kRightRoom, last ? kBottomRoom : kBetween));
     rect->setMinimumSize(0, 0);
     rect->setRangeDrag({});
     rect->setRangeZoom({});
@@ -144,6 +155,7 @@ void PlotScene::addArea(int index, bool last) {
 void PlotScene::invalidate() {
     for (SpanPlottable* span : spans_)
         span->invalidate();
+    marks_.forget(fonts_.text);
 }
 
 bool PlotScene::eventFilter(QObject* watched, QEvent* event) {
@@ -157,6 +169,7 @@ bool PlotScene::eventFilter(QObject* watched, QEvent* event) {
 void PlotScene::recolour() {
     const Tokens& t = tokensOf(plot_.palette());
     fonts_ = plotFonts();
+    marks_.forget(fonts_.text);
     plot_.setBackground(QBrush(t.surface));
     for (QCPAxisRect* rect : rects_) {
         for (QCPAxis* axis : rect->axes())
@@ -171,6 +184,7 @@ int PlotScene::columns() const {
 }
 
 void PlotScene::showRanges() {
+    shareHeight();
     state_.view.setColumns(columns());
     const double begin = coordinateOf(state_.view.begin());
     const double end = coordinateOf(state_.view.end());
@@ -183,6 +197,30 @@ void PlotScene::showRanges() {
     }
 }
 
+int PlotScene::laneRows() const {
+    return std::clamp(plot_.height() / kHeightOfLaneRow, 1, kMostLaneRows);
+}
+
+/// Areas are equally high, though the first has the lane above it and the last the axis below it.
+void PlotScene::shareHeight() {
+    if (rects_.empty() || plot_.size() == shared_) return;
+    shared_ = plot_.size();
+    const auto count = static_cast<int>(rects_.size());
+    std::vector<int> rooms;
+    for (int i = 0; i < count; ++i) {
+        const int top = i == 0 ? laneHeight(laneRows()) : kTopRoom;
+        const int bottom = i + 1 == count ? kBottomRoom : kBetween;
+        rects_[static_cast<std::size_t>(i)]->setMargins(QMargins(kLeftRoom, top, kRightRoom, bottom));
+        rooms.push_back(top + bottom);
+    }
+    const int all = std::accumulate(rooms.begin(), rooms.end(), 0);
+    const int area = std::max((plot_.height() - all) / count, 1);
+    QList<double> heights;
+    std::transform(rooms.begin(), rooms.end(), std::back_inserter(heights),
+                   [area](int room) { return area + room; });
+    plot_.plotLayout()->setRowStretchFactors(heights);
+}
+
 void PlotScene::draw() {
     plot_.replot(QCustomPlot::rpQueuedRefresh);
 }
@@ -190,6 +228,7 @@ void PlotScene::draw() {
 PlotGeometry PlotScene::geometry() const {
     PlotGeometry geometry;
     geometry.labelRoom = kRightRoom;
+    geometry.laneRows = laneRows();
     geometry.areas.reserve(rects_.size());
     for (const QCPAxisRect* rect : rects_)
         geometry.areas.emplace_back(rect->topLeft(), rect->size());

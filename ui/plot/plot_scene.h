@@ -18,7 +18,7 @@ class PlotScene final : public QObject {
 
     /// There are other areas now.
     void rebuild();
-    /// There are other curves now.
+    /// There are other curves or words now.
     void invalidate();
     /// Draws the state as it is now.
     void draw();
@@ -37,10 +37,14 @@ class PlotScene final : public QObject {
     void recolour();
     void addArea(int index, bool last);
     void showRanges();
+    void shareHeight();
+    int laneRows() const;
 
     QCustomPlot& plot_;
     PlotState& state_;
     PlotFonts fonts_;
+    DescribedMarks marks_;
+    QSize shared_;  ///< Of the plot when its height was last shared out.
     QSharedPointer<QCPAxisTicker> timeTicker_;
     std::vector<QCPAxisRect*> rects_;
     std::vector<SpanPlottable*> spans_;

@@ -36,6 +36,7 @@ struct PlotState {
     std::vector<ShownArea> areas;
     std::vector<PlotCurve> curves;
     DescribeMark describeMark;
+    CountMarks countMarks;
     TimeView view;
     Cursors cursors;
     std::optional<PlotTrigger> trigger;

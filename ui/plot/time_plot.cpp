@@ -72,8 +72,10 @@ void TimePlot::setContents(const std::vector<PlotArea>& areas, std::vector<PlotC
     changed();
 }
 
-void TimePlot::setDescribeMark(DescribeMark describe) {
+void TimePlot::setDescribeMark(DescribeMark describe, CountMarks count) {
     state_->describeMark = std::move(describe);
+    state_->countMarks = std::move(count);
+    scene_->invalidate();
     dirty_ = true;
 }
 

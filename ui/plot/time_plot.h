@@ -26,7 +26,8 @@ class TimePlot final : public QWidget {
     void setStore(std::shared_ptr<const TelemetryStore> store);
     /// What is drawn of it. Areas that stay the same keep the range that a person chose.
     void setContents(const std::vector<PlotArea>& areas, std::vector<PlotCurve> curves);
-    void setDescribeMark(DescribeMark describe);
+    /// How marks are told: one, and several of a kind together.
+    void setDescribeMark(DescribeMark describe, CountMarks count = {});
 
     const PlotState& state() const { return *state_; }
     bool isFollowing() const { return state_->view.isFollowing(); }

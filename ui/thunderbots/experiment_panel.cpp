@@ -28,7 +28,9 @@ namespace {
 
 constexpr int kCellWidth = 23;
 constexpr int kOffsetWidth = 30;
-constexpr int kRowHeight = 20;
+constexpr int kHeaderHeight = 16;
+constexpr int kTallestRow = 20;
+constexpr int kLowestRow = 11;
 constexpr int kRows = static_cast<int>(wire::kExperimentBufferBytes) / ExperimentBytes::kColumns;
 
 /// Bytes that have arrived as text, the others quietly on a tint.
@@ -45,11 +47,31 @@ class ByteDelegate final : public QStyledItemDelegate {
         if (selected || !known) painter->fillRect(option.rect, selected ? t.accentSoft : t.background);
         painter->setPen(known ? t.text : t.muted);
         painter->setFont(option.font);
-        painter->drawText(option.rect, Qt::AlignCenter, index.data().toString());
+        painter->drawText(option.rect, Qt::AlignCenter | Qt::TextDontClip, index.data().toString());
         if (option.state.testFlag(QStyle::State_HasFocus)) {
             painter->setPen(t.accent);
             painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
         }
+        painter->restore();
+    }
+};
+
+/// Offsets, quietly: rows may be lower than a line of text, whose letters still fit.
+class OffsetHeader final : public QHeaderView {
+  public:
+    OffsetHeader(Qt::Orientation orientation, QWidget* parent) : QHeaderView(orientation, parent) {
+        setFont(numberFont(metrics::kSmallTextSize));
+        setMinimumSectionSize(1);
+        setSectionResizeMode(Fixed);
+    }
+
+  protected:
+    void paintSection(QPainter* painter, const QRect& rect, int section) const override {
+        painter->save();
+        painter->setPen(tokensOf(palette()).muted);
+        painter->setFont(font());
+        painter->drawText(rect, Qt::AlignCenter | Qt::TextDontClip,
+                          model()->headerData(section, orientation()).toString());
         painter->restore();
     }
 };
@@ -97,22 +119,22 @@ void ExperimentPanel::buildTable() {
     table_->setItemDelegate(new ByteDelegate(table_));
     table_->setFrameShape(QFrame::NoFrame);
     table_->setShowGrid(false);
-    table_->setFont(numberFont(metrics::kTextSize));
+    table_->setFont(numberFont(metrics::kSmallTextSize));
     table_->setTabKeyNavigation(false);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    for (QHeaderView* header : {table_->horizontalHeader(), table_->verticalHeader()}) {
-        header->setFont(numberFont(metrics::kSmallTextSize));
-        header->setMinimumSectionSize(1);
-        header->setSectionResizeMode(QHeaderView::Fixed);
-        header->setHighlightSections(false);
-        header->setSectionsClickable(false);
-    }
+    table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setHorizontalHeader(new OffsetHeader(Qt::Horizontal, table_));
+    table_->setVerticalHeader(new OffsetHeader(Qt::Vertical, table_));
+    // Nothing stands in the corner.
+    if (auto* corner = table_->findChild<QAbstractButton*>()) corner->setMaximumSize(0, 0);
     table_->horizontalHeader()->setDefaultSectionSize(kCellWidth);
-    table_->horizontalHeader()->setFixedHeight(kRowHeight);
-    table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+    table_->horizontalHeader()->setFixedHeight(kHeaderHeight);
+    // All 256 bytes at once: the rows share the height that there is.
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->verticalHeader()->setFixedWidth(kOffsetWidth);
-    table_->setFixedWidth(kOffsetWidth + ExperimentBytes::kColumns * kCellWidth + metrics::kPadding);
-    table_->setMaximumHeight((kRows + 1) * kRowHeight + 2);
+    table_->setFixedWidth(kOffsetWidth + ExperimentBytes::kColumns * kCellWidth);
+    table_->setMinimumHeight(kHeaderHeight + kRows * kLowestRow);
+    table_->setMaximumHeight(kHeaderHeight + kRows * kTallestRow + 2);
 }
 
 QWidget* ExperimentPanel::headerTools() {

@@ -114,10 +114,10 @@ MarkWords wordsOf(const Mark& mark, const QString& robot) {
         case MarkKind::LinkDown:
             return {Words::tr("link lost"), Words::tr("The link was lost or closed"), true};
         case MarkKind::UnitHeard:
-            return {Words::tr("%1 heard").arg(mark.unit), Words::tr("%1 is heard").arg(robot)};
+            return {Words::tr("robot %1 heard").arg(mark.unit), Words::tr("%1 is heard").arg(robot)};
         case MarkKind::UnitLost:
-            return {Words::tr("%1 lost").arg(mark.unit), Words::tr("%1 is not heard any more").arg(robot),
-                    true};
+            return {Words::tr("robot %1 lost").arg(mark.unit),
+                    Words::tr("%1 is not heard any more").arg(robot), true};
     }
     return {};
 }
@@ -177,6 +177,34 @@ std::optional<MarkWords> markWords(const Mark& mark, RobotMask robots) {
     if (mark.unit == kNoUnit) return wordsOf(mark, {});
     if (mark.unit >= kRobots || !contains(robots, mark.unit)) return std::nullopt;
     return wordsOf(mark, Words::tr("Robot %1").arg(mark.unit));
+}
+
+QString marksText(const MarkCount& marks) {
+    const int count = marks.count;
+    const bool several = marks.units > 1;
+    switch (marks.kind) {
+        case MarkKind::Kick:
+            return Words::tr("%n kicks", nullptr, count);
+        case MarkKind::Autokick:
+            return Words::tr("%n autokicks", nullptr, count);
+        case MarkKind::DeviceError:
+            return Words::tr("%n faults", nullptr, count);
+        case MarkKind::Stop:
+            return Words::tr("%n STOPs", nullptr, count);
+        case MarkKind::Rearmed:
+            return Words::tr("re-armed %n times", nullptr, count);
+        case MarkKind::LinkUp:
+            return Words::tr("connected %n times", nullptr, count);
+        case MarkKind::LinkDown:
+            return Words::tr("link lost %n times", nullptr, count);
+        case MarkKind::UnitHeard:
+            return several ? Words::tr("%n robots heard", nullptr, marks.units)
+                           : Words::tr("robot %1 heard %n times", nullptr, count).arg(marks.unit);
+        case MarkKind::UnitLost:
+            return several ? Words::tr("%n robots lost", nullptr, marks.units)
+                           : Words::tr("robot %1 lost %n times", nullptr, count).arg(marks.unit);
+    }
+    return {};
 }
 
 QString valueText(double value, Signal signal) {

@@ -29,6 +29,9 @@ VoltagesContents voltagesContents(thunderbots::RobotMask robots, SignalMask want
 /// A mark in words, where it concerns one of these robots or all.
 std::optional<MarkWords> markWords(const Mark& mark, thunderbots::RobotMask robots);
 
+/// Several marks of a kind, at least two, in words.
+QString marksText(const MarkCount& marks);
+
 /// A robot's reading as it stands now: what the table shows beside its curve.
 struct NowText {
     QString text;

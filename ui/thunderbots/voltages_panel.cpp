@@ -66,7 +66,7 @@ VoltagesPanel::VoltagesPanel(Bench& bench, RobotChoice& choice, QWidget* parent)
     if (pinned.isValid()) pinned_ = static_cast<RobotMask>(pinned.toUInt() & kAllRobots);
     build();
     plot_->setSpan(std::chrono::seconds(bench.settings().value(kSpanSetting, kFirstSpan_s).toInt()));
-    plot_->setDescribeMark([this](const Mark& mark) { return markWords(mark, shownRobots_); });
+    plot_->setDescribeMark([this](const Mark& mark) { return markWords(mark, shownRobots_); }, marksText);
     connect(&bench, &Bench::changed, this, &VoltagesPanel::refresh);
     connect(&choice_, &RobotChoice::changed, this, &VoltagesPanel::refresh);
     connect(plot_, &TimePlot::viewChanged, this, &VoltagesPanel::refreshTools);
@@ -291,7 +291,7 @@ void VoltagesPanel::refreshTools() {
         trigger_->setState(tr("waiting\u2026"), true);
     } else {
         const QString at = clockText(bench().client().wallTime(trigger->caughtAt));
-        trigger_->setState(tr("it did at %1").arg(at), false);
+        trigger_->setState(tr("fired at %1").arg(at), false);
     }
 }
 

@@ -7,6 +7,10 @@
 namespace kickstand::bench {
 namespace {
 
+/// Two seconds: three hundred marks are seen at a time.
+constexpr int kMarkEvery = 400;
+constexpr int kMarkKinds = static_cast<int>(MarkKind::UnitLost) + 1;
+
 class OwnPlot final : public PlotSubject {
   public:
     explicit OwnPlot(QWidget* parent)
@@ -17,7 +21,11 @@ class OwnPlot final : public PlotSubject {
         std::vector<ui::PlotArea> areas;
         std::vector<ui::PlotCurve> curves;
         for (int signal = 0; signal < kSignals; ++signal) {
-            areas.push_back({QString::number(signal), {}, 0, {kLowest, kHighest}, {}});
+            areas.push_back({QString::number(signal),
+                             {},
+                             0,
+                             {kLowest, kHighest},
+                             {{kHighest / 2, QStringLiteral("a threshold")}}});
             for (int unit = 0; unit < kUnits; ++unit) {
                 const SignalId id{static_cast<std::uint16_t>(unit), static_cast<std::uint16_t>(signal)};
                 series_[static_cast<std::size_t>(unit * kSignals + signal)] = store_->series(id);
@@ -27,6 +35,10 @@ class OwnPlot final : public PlotSubject {
         plot_->setStore(store_);
         plot_->setContents(areas, std::move(curves));
         plot_->setSpan(kSpan);
+        plot_->setDescribeMark([](const Mark& mark) {
+            const bool danger = mark.kind == MarkKind::Stop;
+            return std::optional(ui::MarkWords{QStringLiteral("mark %1").arg(mark.unit), {}, danger});
+        });
         parent->layout()->addWidget(plot_);
     }
 
@@ -34,6 +46,10 @@ class OwnPlot final : public PlotSubject {
     void append(TimePoint time, const float* values) override {
         for (std::size_t i = 0; i < kSeries; ++i)
             series_[i]->append(time, values[i]);
+        if (++ticks_ % kMarkEvery != 0) return;
+        const int mark = ticks_ / kMarkEvery;
+        store_->mark(
+            {time, static_cast<MarkKind>(mark % kMarkKinds), static_cast<std::uint16_t>(mark % kUnits), 0});
     }
     /// It draws by itself, as often as it finds something new.
     void frame(TimePoint now) override { now_ = now; }
@@ -50,6 +66,7 @@ class OwnPlot final : public PlotSubject {
     std::shared_ptr<TelemetryStore> store_;
     std::array<TimeSeries*, kSeries> series_{};
     TimePoint now_{};
+    int ticks_ = 0;
     ui::TimePlot* plot_;
 };
 
