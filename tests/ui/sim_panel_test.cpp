@@ -190,6 +190,20 @@ TEST_F(SimPanelTest, EachChosenRobotHasARow) {
     EXPECT_EQ(rig.window().findChild<QWidget*>(QStringLiteral("sim-ball-9")), nullptr);
 }
 
+TEST_F(SimPanelTest, RowsThatAreTooWideLeaveWhatConcernsAllInSight) {
+    rig.window().resize(1280, 800);
+    ASSERT_TRUE(choose(4, Qt::ControlModifier));
+    ASSERT_TRUE(rig.settle());
+    const auto* panel = rig.find<QWidget>(QStringLiteral("simulated"));
+    for (const SimAction& action : rig.bench().session()->simActions) {
+        if (action.perUnit) continue;
+        const auto* control = rig.find<QWidget>(QStringLiteral("sim-") + QString::fromStdString(action.name));
+        const QRect place(control->mapTo(panel, QPoint()), control->size());
+        EXPECT_GE(place.left(), 0) << action.name;
+        EXPECT_LE(place.right(), panel->width()) << action.name;
+    }
+}
+
 TEST_F(SimPanelTest, TheMenuOfTheBannerDoesTheSameToThoseThatAreChosen) {
     QMenu* menu = rig.find<QPushButton>(QStringLiteral("simMenu"))->menu();
     const auto entry = [](QMenu* in, const QString& text) {

@@ -12,6 +12,7 @@
 #include "ui/shell/system_view.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/tokens.h"
+#include "ui/widgets/wide_scroll.h"
 
 namespace kickstand::ui {
 
@@ -137,7 +138,8 @@ void SimPanel::addOneUnit() {
 
 /// Several are compared: a row each, a column for each action.
 void SimPanel::addTable() {
-    auto* grid = new QGridLayout(units_);
+    auto* table = new QWidget;
+    auto* grid = new QGridLayout(table);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(metrics::kPadding);
     grid->setVerticalSpacing(6);
@@ -158,6 +160,9 @@ void SimPanel::addTable() {
     for (const int unit : shape_.units)
         grid->addWidget(unitName(unit), row++, 0);
     grid->setColumnStretch(column, 1);
+    auto* around = new QVBoxLayout(units_);
+    around->setContentsMargins(0, 0, 0, 0);
+    around->addWidget(new WideScroll(table, units_));
 }
 
 void SimPanel::addShared() {
