@@ -16,6 +16,7 @@
 #include "app/composition/ledger_file.h"
 #include "app/kickstand/options.h"
 #include "app/kickstand/tour.h"
+#include "app/kickstand/tour_links.h"
 #include "core/engine/engine.h"
 #include "core/ledger/ledger.h"
 #include "ui/coach/coach_view.h"
@@ -125,7 +126,9 @@ int main(int argc, char** argv) {
     EngineOptions engineOptions;
     // Drawing pictures takes longer than a hand may be off a real robot; these are simulated.
     if (options.tourFolder) engineOptions.heartbeatLimit = kTourPatience;
-    Engine engine(makeLinkProvider(), engineOptions);
+    const auto tourBus = std::make_shared<app::TourBus>();
+    Engine engine(options.tourFolder ? app::makeTourLinks(makeLinkProvider(), tourBus) : makeLinkProvider(),
+                  engineOptions);
     ui::EngineClient client(engine);
     Ledger ledger(options.tourFolder ? ":memory:" : ledgerFile());
     const ui::LedgerFeed feed(client, ledger);
@@ -146,7 +149,7 @@ int main(int argc, char** argv) {
     std::unique_ptr<app::Tour> tour;
     if (options.tourFolder) {
         // On simulated robots, whatever is plugged in.
-        tour = std::make_unique<app::Tour>(window, bench, theme, *options.tourFolder);
+        tour = std::make_unique<app::Tour>(window, bench, theme, *tourBus, *options.tourFolder);
     } else if (options.links.empty()) {
         window.connector().connectToOnlyHardware();
     }

@@ -20,8 +20,8 @@ constexpr auto kStepLimit = 30s;
 
 }  // namespace
 
-Tour::Tour(ui::MainWindow& window, ui::Bench& bench, ui::Theme& theme, const QString& folder)
-    : theme_(theme), folder_(folder), steps_(tourSteps(window, bench)) {
+Tour::Tour(ui::MainWindow& window, ui::Bench& bench, ui::Theme& theme, TourBus& bus, const QString& folder)
+    : theme_(theme), folder_(folder), steps_(tourSteps(window, bench, bus)) {
     watchdog_.setSingleShot(true);
     connect(&watchdog_, &QTimer::timeout, this, [this] { fail(tr("did not come about in time")); });
     connect(&bench, &ui::Bench::changed, this, &Tour::check);

@@ -15,6 +15,8 @@ enum class ThemeChoice;
 
 namespace kickstand::app {
 
+struct TourBus;
+
 /// One thing that the tour does.
 struct TourStep {
     QString name;
@@ -31,7 +33,7 @@ struct TourStep {
 class Tour final : public QObject {
     Q_OBJECT
   public:
-    Tour(ui::MainWindow& window, ui::Bench& bench, ui::Theme& theme, const QString& folder);
+    Tour(ui::MainWindow& window, ui::Bench& bench, ui::Theme& theme, TourBus& bus, const QString& folder);
 
     void start();
 

@@ -1,6 +1,7 @@
 #include <QSize>
 
 #include "app/kickstand/tour_maker.h"
+#include "ui/shell/workbench.h"
 #include "ui/widgets/set_point_slider.h"
 #include "ui/widgets/signed_spin_box.h"
 
@@ -19,8 +20,12 @@ TourMaker::Act set(ui::MainWindow* window, const char* slider, int value) {
     };
 }
 
+/// A window of this size, its panels where a new user has them.
 TourMaker::Act resize(ui::MainWindow* window, QSize size) {
-    return [window, size] { window->resize(size); };
+    return [window, size] {
+        window->resize(size);
+        window->workbench().resetLayout();
+    };
 }
 
 /// All sixteen are up to something.
@@ -61,9 +66,6 @@ void addDrivingSteps(TourMaker& tour) {
     tour.add("zero", tour.press("zero"),
              tour.whenRobot([](const RobotState& robot) { return robot.told->wheels[3] == 0; }));
     tour.add("wheel-mode", tour.press("wheelMode"));
-    tour.add("gamepad-panel", tour.goTo("gamepad"));
-    tour.show("gamepad", [] {});
-    tour.add("drive-panel", tour.goTo("drive"));
 }
 
 void addSmallSteps(TourMaker& tour) {

@@ -66,17 +66,38 @@ void addSimulated(TourMaker& tour) {
     tour.show("simulated-robots", tour.goTo("simulated"));
 }
 
+QWidget* doctorOf(ui::MainWindow* window) {
+    return window->findChild<QWidget*>(QStringLiteral("doctor"));
+}
+
 void addDoctor(TourMaker& tour) {
     tour.showWindow(
         "doctor", [window = tour.window()] { window->showDoctor(); }, TourMaker::always,
-        [window = tour.window()] { return window->findChild<QWidget*>(QStringLiteral("doctor")); });
-    tour.add("close-doctor",
-             [window = tour.window()] { window->findChild<QWidget*>(QStringLiteral("doctor"))->close(); });
+        [window = tour.window()] { return doctorOf(window); });
+    tour.add("close-doctor", [window = tour.window()] { doctorOf(window)->close(); });
     tour.add("normal-lights", tour.press("ledNormal"));
     tour.add("drive-panel", tour.goTo("drive"));
 }
 
 }  // namespace
+
+void addForbiddenSteps(TourMaker& tour) {
+    ui::MainWindow* window = tour.window();
+    TourBus* bus = tour.bus();
+    tour.add("forbidden-dongle", [bus] { bus->forbiddenDongle = true; });
+    tour.showWindow(
+        "doctor-remedy", tour.press("startDoctor"),
+        [window] {
+            const auto* line = doctorOf(window)->findChild<QWidget*>(QStringLiteral("doctor-permission"));
+            return line != nullptr &&
+                   line->findChild<QAbstractButton*>(QStringLiteral("copyCommand"))->isVisible();
+        },
+        [window] { return doctorOf(window); });
+    tour.add("close-doctor-remedy", [window, bus] {
+        bus->forbiddenDongle = false;
+        doctorOf(window)->close();
+    });
+}
 
 void addLookingSteps(TourMaker& tour) {
     addLeds(tour);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/kickstand/tour.h"
+#include "app/kickstand/tour_links.h"
 #include "ui/shell/bench.h"
 #include "ui/shell/main_window.h"
 #include "ui/thunderbots/thunderbots_view.h"
@@ -14,7 +15,7 @@
 namespace kickstand::app {
 
 /// Makes the steps of the tour: what each does, it does with the controls that a person would use. The
-/// closures that it makes outlive it: they hold the window and the bench themselves.
+/// closures that it makes outlive it: they hold the window, the bench and the bus themselves.
 class TourMaker {
   public:
     using Act = std::function<void()>;
@@ -23,11 +24,13 @@ class TourMaker {
     /// The robot that the tour plays with.
     static constexpr int kRobot = 3;
 
-    TourMaker(ui::MainWindow& window, ui::Bench& bench) : window_(&window), bench_(&bench) {}
+    TourMaker(ui::MainWindow& window, ui::Bench& bench, TourBus& bus)
+        : window_(&window), bench_(&bench), bus_(&bus) {}
 
     std::vector<TourStep> steps() && { return std::move(steps_); }
     ui::MainWindow* window() const { return window_; }
     ui::Bench* bench() const { return bench_; }
+    TourBus* bus() const { return bus_; }
 
     /// Without a picture.
     void add(const char* name, const Act& act, const Done& done = always);
@@ -51,6 +54,7 @@ class TourMaker {
   private:
     ui::MainWindow* window_;
     ui::Bench* bench_;
+    TourBus* bus_;
     std::vector<TourStep> steps_;
 };
 
@@ -62,8 +66,13 @@ void addLookingSteps(TourMaker& tour);
 void addKickingSteps(TourMaker& tour);
 /// A bench check of robot 6, with its questions, to the report.
 void addCheckSteps(TourMaker& tour);
-/// The body's motion, keys, the gamepad: robot 3 is chosen.
+/// The body's motion: robot 3 is chosen.
 void addDrivingSteps(TourMaker& tour);
+/// A gamepad: none, plugged in, an input given to another button, driving, lost, and back with its stick
+/// held. Robot 3 is chosen.
+void addGamepadSteps(TourMaker& tour);
+/// A dongle that this user may not open, and what to do about it. Nothing is connected before.
+void addForbiddenSteps(TourMaker& tour);
 /// The smallest window that holds everything, with all sixteen tiles up to something, stopped, and with a
 /// robot lost.
 void addSmallSteps(TourMaker& tour);

@@ -27,6 +27,7 @@ class Steps final : public TourMaker {
         connecting();
         driving();
         addDrivingSteps(*this);
+        addGamepadSteps(*this);
         charging();
         addKickingSteps(*this);
         addVoltagesSteps(*this);
@@ -39,6 +40,7 @@ class Steps final : public TourMaker {
         addGapSteps(*this);
         addSmallSteps(*this);
         leaving();
+        addForbiddenSteps(*this);
         addMotionplanSteps(*this);
         addCoachSteps(*this);
         addSmartdeviceSteps(*this);
@@ -157,8 +159,8 @@ void Steps::leaving() {
 
 }  // namespace
 
-std::vector<TourStep> tourSteps(ui::MainWindow& window, ui::Bench& bench) {
-    return Steps(window, bench).all();
+std::vector<TourStep> tourSteps(ui::MainWindow& window, ui::Bench& bench, TourBus& bus) {
+    return Steps(window, bench, bus).all();
 }
 
 }  // namespace kickstand::app

@@ -6,7 +6,9 @@
 
 namespace kickstand::app {
 
-/// What the tour does, in order.
-std::vector<TourStep> tourSteps(ui::MainWindow& window, ui::Bench& bench);
+struct TourBus;
+
+/// What the tour does, in order. All three outlive it.
+std::vector<TourStep> tourSteps(ui::MainWindow& window, ui::Bench& bench, TourBus& bus);
 
 }  // namespace kickstand::app

@@ -8034,10 +8034,6 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>   no offset with one pulse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>none yet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8048,6 +8044,14 @@ Double-click or Enter says more.</source>
     <message>
         <source>
 armed with %1, not with what is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, by robot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>   offset unused</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

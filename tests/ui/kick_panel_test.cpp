@@ -119,6 +119,19 @@ TEST_F(KickPanelTest, AKickIsForOneRobotAndAutokickForAllThatAreChosen) {
         ASSERT_TRUE(rig.waitForBlock(robot, [](const DriveBlock& block) { return block.autokickArmed; }));
 }
 
+TEST_F(KickPanelTest, TheLastAutokickOfAllIsToldToWhoeverHasChosenNone) {
+    armAndCharge();
+    press("autokick");
+    rig.simulate("ball", 3, 1);
+    ASSERT_TRUE(
+        rig.waitForSnapshot([](const Snapshot& snapshot) { return snapshot.robots[3].autokicks == 1; }));
+    rig.clickRobot(3, Qt::ControlModifier);
+    EXPECT_TRUE(waitUntil([this] {
+        return line("autokickLine").startsWith(QStringLiteral("1 fired")) &&
+               line("autokickLine").endsWith(QStringLiteral("by robot 3"));
+    })) << line("autokickLine").toStdString();
+}
+
 TEST_F(KickPanelTest, AutokickIsArmedWithWhatIsDrawnCountedAndDisarmed) {
     armAndCharge();
     type("kickWidth1", QStringLiteral("1600"));

@@ -184,7 +184,7 @@ QWidget* SimPanel::addField(const SimAction& action, int unit) {
     auto* field = new QWidget(unit < 0 ? shared_ : units_);
     auto* column = new QVBoxLayout(field);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(metrics::kGap / 2);
+    column->setSpacing(2);
     column->addWidget(heading(bench().view()->actionText(action), field));
     column->addWidget(add(action, unit));
     return field;

@@ -102,7 +102,7 @@ void DrivePanel::build() {
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);
     whole->addWidget(area, 1);
-    bottom->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, metrics::kGap);
+    bottom->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 4);
     whole->addLayout(bottom);
 }
 
@@ -214,7 +214,9 @@ void DrivePanel::resizeEvent(QResizeEvent* event) {
     Panel::resizeEvent(event);
     const bool wide = event->size().width() >= kWideEnough;
     boxes_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    // Its sentences wrap: the room is for the sliders.
     voltage_->setMinimumWidth(wide ? kVoltageWidth : 0);
+    voltage_->setMaximumWidth(wide ? kVoltageWidth : QWIDGETSIZE_MAX);
 }
 
 }  // namespace kickstand::ui

@@ -44,7 +44,7 @@ SignedSpinBox* KickFields::addField(const char* name, const QString& label, int 
     words->setFont(textFont(metrics::kSmallTextSize));
     words->setForegroundRole(QPalette::PlaceholderText);
     auto* column = new QVBoxLayout;
-    column->setSpacing(2);
+    column->setSpacing(0);
     column->addWidget(words);
     column->addWidget(field);
     static_cast<QHBoxLayout*>(layout())->addLayout(column, 1);

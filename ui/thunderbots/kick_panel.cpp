@@ -70,7 +70,7 @@ KickPanel::KickPanel(Bench& bench, RobotChoice& choice, KickSettings& kick, QWid
     left->addWidget(notice_);
     left->addStretch(1);
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
+    row->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, 4);
     row->setSpacing(kColumnGap);
     row->addLayout(left, 1);
     row->addWidget(makeVoltage());
@@ -217,7 +217,7 @@ void KickPanel::showPulses() {
     QString text =
         encoded ? tr("on the wire: %1").arg(wireText(encoded->times)) : tr("no such kick exists on the wire");
     if (pulses.offset_us != 0 && (pulses.width1_us == 0 || pulses.width2_us == 0))
-        text += tr("   no offset with one pulse");
+        text += tr("   offset unused");
     if (!snapped_.isEmpty()) text = QStringLiteral("%1   %2").arg(text, snapped_);
     wire_->setText(text);
     wire_->setToolTip(snapped_.isEmpty() ? text : QStringLiteral("%1\n%2").arg(text, snapped_));
@@ -259,6 +259,7 @@ void KickPanel::showVoltage(const Snapshot& snapshot, const QString& reason) {
                           snapshot.robots[static_cast<std::size_t>(robot)].readings.charged, snapshot.time);
     }
     charge_->setText(text);
+    charge_->setVisible(!text.isEmpty());
     showDrop(snapshot);
 }
 
@@ -276,13 +277,18 @@ void KickPanel::showDrop(const Snapshot& snapshot) {
 }
 
 QString KickPanel::autokickText(const Snapshot& snapshot) const {
+    // Whoever has chosen none asks about all.
+    const RobotMask asked = summary_.chosen == 0 ? kAllRobots : summary_.chosen;
     std::uint32_t count = 0;
     TimePoint last{};
+    int lastRobot = -1;
     for (int robot = 0; robot < kRobots; ++robot) {
-        if (!contains(summary_.chosen, robot)) continue;
         const RobotState& state = snapshot.robots[static_cast<std::size_t>(robot)];
+        if (!contains(asked, robot) || state.autokicks == 0) continue;
         count += state.autokicks;
-        if (state.autokicks > 0) last = std::max(last, state.lastAutokickAt);
+        if (lastRobot >= 0 && state.lastAutokickAt < last) continue;
+        last = state.lastAutokickAt;
+        lastRobot = robot;
     }
     QString text = tr("none yet");
     if (count > 0) {
@@ -290,6 +296,7 @@ QString KickPanel::autokickText(const Snapshot& snapshot) const {
         text = tr("%1 fired, the last at %2, %3 ago")
                    .arg(count)
                    .arg(clock(client.wallTime(last)), ageText(client.now() - last));
+        if (std::popcount(asked) > 1) text += tr(", by robot %1").arg(lastRobot);
     }
     const int robot = onlyRobot(summary_);
     if (robot < 0) return text;

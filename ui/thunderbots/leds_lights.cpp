@@ -11,7 +11,7 @@ namespace kickstand::ui {
 namespace {
 
 constexpr double kRadius = 12;
-constexpr int kHeight = 70;
+constexpr int kHeight = 66;
 constexpr int kLeastPitch = 44;
 constexpr int kTop = 2;
 /// The colour of the lights themselves, the same in both themes.

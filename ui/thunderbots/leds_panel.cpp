@@ -83,7 +83,7 @@ void LedsPanel::build() {
     target_->setObjectName(QStringLiteral("ledTarget"));
     target_->setAccessibleName(tr("Of which wheel or motor"));
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
+    column->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, 4);
     column->setSpacing(metrics::kGap);
     auto* mode = new QVBoxLayout;
     mode->setSpacing(4);
@@ -248,6 +248,7 @@ void LedsPanel::showTold(const Snapshot& snapshot) {
         lines << who + stateText(state);
     }
     told_->setText(lines.join(u'\n'));
+    told_->setVisible(!lines.isEmpty());
 }
 
 QString LedsPanel::stateText(const LedState& state) const {

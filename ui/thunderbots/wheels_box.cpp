@@ -105,7 +105,7 @@ QWidget* WheelsBox::makeBottom() {
     auto* bottom = new QWidget(this);
     // The question that comes with a higher limit takes a line of its own where there is no room for it.
     auto* row = new FlowLayout(bottom);
-    row->setContentsMargins(0, 4, 0, 0);
+    row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::kGap);
     dribbler_->setObjectName(QStringLiteral("dribbler"));
     dribbler_->setCheckable(true);
