@@ -78,7 +78,7 @@ TEST(MarkLane, AKindThatFindsNoRoomIsToldWithTheOneBefore) {
 TEST(MarkLane, SixteenRobotsHeardAtTheSameInstantAreOneWord) {
     std::vector<LaneMark> marks{{300, kWord, 9}};
     for (unsigned robot = 0; robot < 16; ++robot)
-        marks.push_back({300.0 + robot / 8, kWord, 7, false, std::uint64_t{1} << robot});
+        marks.push_back({300 + 0.125 * robot, kWord, 7, false, std::uint64_t{1} << robot});
     const LaneLayout layout = layOutLane(marks, kRoom, countWidth);
     ASSERT_EQ(layout.words.size(), 2U);
     EXPECT_EQ(layout.words[1].group.count, 16);
@@ -114,8 +114,8 @@ TEST(MarkLane, AMarkThatCameLaterMovesNoWord) {
     std::vector<LaneMark> marks;
     std::mt19937 random(7);
     LaneLayout before;
-    for (double x = 110; x < 600; x += std::uniform_int_distribution(3, 50)(random)) {
-        marks.push_back({x, kWord, static_cast<int>(random() % 3)});
+    for (int x = 110; x < 600; x += std::uniform_int_distribution(3, 50)(random)) {
+        marks.push_back({static_cast<double>(x), kWord, static_cast<int>(random() % 3)});
         const LaneLayout after = layOutLane(marks, kRoom, countWidth);
         ASSERT_GE(after.words.size(), before.words.size());
         for (std::size_t i = 0; i < before.words.size(); ++i) {
@@ -130,6 +130,7 @@ TEST(MarkLane, AMarkThatCameLaterMovesNoWord) {
 
 TEST(MarkLane, WordsStayInTheirRowsWhileMarksLeaveAtTheLeft) {
     std::vector<LaneMark> marks;
+    marks.reserve(30);
     for (int i = 0; i < 30; ++i)
         marks.push_back({110.0 + 19 * i, kWord, i % 3});
     const LaneLayout before = layOutLane(marks, kRoom, countWidth);

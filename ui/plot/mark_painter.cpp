@@ -21,6 +21,7 @@ struct MarkText {
 /// Words are placed from a column that is a multiple of this, left of what is seen: their places depend on
 /// marks before them, and would change with every mark that leaves otherwise.
 constexpr std::int64_t kAnchorColumns = 1024;
+constexpr int kToGlyphMiddle = kLaneGlyph / 2;
 
 std::uint64_t unitBit(std::uint16_t unit) {
     return unit == kNoUnit ? 0 : std::uint64_t{1} << unit % 64;
@@ -126,7 +127,7 @@ void MarkPainter::paintLane(QPainter& painter) const {
     PictureOfLook pictures(
         [&](std::size_t mark) { return markGlyph(told_[mark].look, told_[mark].ink, ratio); });
     for (const LanePlace& glyph : layout_.glyphs)
-        painter.drawPixmap(QPointF(glyph.x - kLaneGlyph / 2, geometry_.laneGlyphTop()),
+        painter.drawPixmap(QPointF(glyph.x - kToGlyphMiddle, geometry_.laneGlyphTop()),
                            pictures.of(glyph.mark, told_[glyph.mark].look));
 }
 

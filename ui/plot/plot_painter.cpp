@@ -192,6 +192,7 @@ void PlotPainter::paintCursorFlags(QPainter& painter) const {
     }
     std::sort(seen.begin(), seen.end());
     std::vector<double> wanted;
+    wanted.reserve(seen.size());
     for (const auto& [x, cursor] : seen)
         wanted.push_back(x + 0.5);
     const auto places =

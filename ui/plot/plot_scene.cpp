@@ -214,7 +214,7 @@ void PlotScene::shareHeight() {
         rooms.push_back(top + bottom);
     }
     const int all = std::accumulate(rooms.begin(), rooms.end(), 0);
-    const int area = std::max((plot_.height() - all) / count, 1);
+    const double area = std::max((plot_.height() - all) / static_cast<double>(count), 1.0);
     QList<double> heights;
     std::transform(rooms.begin(), rooms.end(), std::back_inserter(heights),
                    [area](int room) { return area + room; });
