@@ -20,12 +20,11 @@ TourMaker::Act set(ui::MainWindow* window, const char* slider, int value) {
     };
 }
 
-/// A window of this size, its panels where a new user has them.
-TourMaker::Act resize(ui::MainWindow* window, QSize size) {
-    return [window, size] {
-        window->resize(size);
-        window->workbench().resetLayout();
-    };
+/// A window of this size, then its panels where a new user has them.
+void addSize(TourMaker& tour, const char* name, QSize size) {
+    ui::MainWindow* window = tour.window();
+    tour.add(name, [window, size] { window->resize(size); });
+    tour.add(name, [window] { window->workbench().resetLayout(); });
 }
 
 /// All sixteen are up to something.
@@ -69,12 +68,11 @@ void addDrivingSteps(TourMaker& tour) {
 }
 
 void addSmallSteps(TourMaker& tour) {
-    ui::MainWindow* window = tour.window();
     ui::Bench* bench = tour.bench();
     const auto rearmed = [bench] { return !bench->client().isStopped(); };
-    tour.add("small-size", resize(window, kSmall));
     tour.add(
         "small-re-arm", [bench] { bench->client().rearm(); }, rearmed);
+    addSize(tour, "small-size", kSmall);
     addBusyRobots(tour);
     tour.show("small-busy", tour.goTo("drive"));
     tour.show("small-gamepad", tour.goTo("gamepad"));
@@ -92,7 +90,7 @@ void addSmallSteps(TourMaker& tour) {
     });
     tour.add("small-found", tour.simulate("dead", 5, 0),
              tour.when([](const Snapshot& snapshot) { return snapshot.robots[5].live; }));
-    tour.add("usual-size", resize(window, kUsual));
+    addSize(tour, "usual-size", kUsual);
 }
 
 }  // namespace kickstand::app

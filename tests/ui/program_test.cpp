@@ -13,7 +13,7 @@
 namespace kickstand::test {
 namespace {
 
-constexpr int kWatchdog_ms = 300'000;
+constexpr int kWatchdog_ms = 600'000;
 
 class ProgramTest : public testing::Test {
   protected:
