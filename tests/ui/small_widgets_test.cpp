@@ -61,6 +61,8 @@ TEST(SignedNumber, HasATypographicMinus) {
     EXPECT_EQ(signedNumber(-36), QStringLiteral("\u221236"));
     EXPECT_EQ(signedNumber(0), QStringLiteral("0"));
     EXPECT_EQ(signedNumber(7), QStringLiteral("7"));
+    EXPECT_EQ(signedNumber(-10.66, 1), QStringLiteral("\u221210.7"));
+    EXPECT_EQ(signedNumber(-0.04, 1), QStringLiteral("0.0"));
 }
 
 class SignedSpinBoxTest : public testing::Test {

@@ -9,6 +9,7 @@
 #include "core/thunderbots/wire/readings.h"
 #include "ui/plot/curve_colours.h"
 #include "ui/thunderbots/words.h"
+#include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
 
@@ -208,7 +209,7 @@ QString marksText(const MarkCount& marks) {
 }
 
 QString valueText(double value, Signal signal) {
-    return QString::number(value, 'f', decimalsOf(signal));
+    return signedNumber(value, decimalsOf(signal));
 }
 
 NowText nowText(const RobotState& robot, Signal signal) {

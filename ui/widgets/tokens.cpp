@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontMetrics>
+#include <algorithm>
 #include <cmath>
 
 namespace kickstand::ui {
@@ -126,7 +127,10 @@ QString signedNumber(int value) {
 
 QString signedNumber(double value, int decimals) {
     const QString digits = QString::number(std::abs(value), 'f', decimals);
-    return value < 0 ? u'\u2212' + digits : digits;
+    // What is rounded to nothing has no sign.
+    const bool nothing =
+        std::all_of(digits.begin(), digits.end(), [](QChar c) { return c == u'0' || c == u'.'; });
+    return value < 0 && !nothing ? u'\u2212' + digits : digits;
 }
 
 }  // namespace kickstand::ui
