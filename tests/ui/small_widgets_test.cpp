@@ -1,8 +1,10 @@
 #include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include <gtest/gtest.h>
 
@@ -147,6 +149,54 @@ TEST(Banner, ItsButtonsAreNeverADefault) {
     const QPushButton* button = banner.addButton(QStringLiteral("Re-arm"));
     EXPECT_FALSE(button->autoDefault());
     EXPECT_FALSE(button->isDefault());
+}
+
+/// A banner over what fills the rest of a window.
+class BannerInAWindow : public testing::Test {
+  protected:
+    BannerInAWindow() {
+        auto* column = new QVBoxLayout(&window);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        banner = new Banner(Banner::Kind::Danger, &window);
+        banner->addButton(QStringLiteral("Re-arm   Ctrl+Shift+R"));
+        column->addWidget(banner);
+        column->addWidget(new QWidget(&window), 1);
+        window.resize(kWide, 400);
+        window.show();
+    }
+    /// Whether the banner becomes as high as its words need it to be, and no higher.
+    testing::AssertionResult fits() {
+        const auto* words = banner->findChild<QLabel*>();
+        const auto does = [this, words] {
+            return words->height() >= words->heightForWidth(words->width()) &&
+                   banner->height() == banner->heightForWidth(banner->width());
+        };
+        if (QTest::qWaitFor(does, kPatience_ms)) return testing::AssertionSuccess();
+        return testing::AssertionFailure()
+               << "at " << banner->width() << " it is " << banner->height() << " high, and "
+               << banner->heightForWidth(banner->width()) << " is needed";
+    }
+
+    static constexpr int kPatience_ms = 5000;
+    static constexpr int kWide = 1440;
+    QWidget window;
+    Banner* banner = nullptr;
+};
+
+TEST_F(BannerInAWindow, IsAsHighAsItsWordsNeedAtEveryWidth) {
+    QStringList words;
+    for (int count = 0; count < 40; ++count) {
+        words << QStringLiteral("robots may be live");
+        banner->setText(QStringLiteral("STOPPED"), words.join(u' '));
+        ASSERT_TRUE(fits()) << count << " times";
+    }
+    for (int width = kWide; width > 400; width -= 40) {
+        window.resize(width, 400);
+        ASSERT_TRUE(fits());
+    }
+    banner->setText(QStringLiteral("STOPPED"), {});
+    EXPECT_TRUE(fits());
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ Banner::Banner(Kind kind, QWidget* parent)
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::RichText);
     label_->setTextInteractionFlags(Qt::NoTextInteraction);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    // Not Fixed: that would bound it by what its words need at their favourite width, not at the one it has.
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     recolour();
 }
 
