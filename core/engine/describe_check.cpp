@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <string_view>
 
 #include "core/engine/describe.h"
+#include "core/engine/describe_findings.h"
 
 namespace kickstand {
 
@@ -15,7 +17,7 @@ using wire::TestClass;
 
 namespace {
 
-struct Check {
+struct CheckWords {
     Q_DECLARE_TR_FUNCTIONS(Check)
 };
 
@@ -23,15 +25,15 @@ struct Check {
 QString wheelText(int wheel) {
     switch (wheel) {
         case 1:
-            return Check::tr("wheel 1, front left");
+            return CheckWords::tr("wheel 1, front left");
         case 2:
-            return Check::tr("wheel 2, back left");
+            return CheckWords::tr("wheel 2, back left");
         case 3:
-            return Check::tr("wheel 3, back right");
+            return CheckWords::tr("wheel 3, back right");
         case 4:
-            return Check::tr("wheel 4, front right");
+            return CheckWords::tr("wheel 4, front right");
         default:
-            return Check::tr("the dribbler's motor");
+            return CheckWords::tr("the dribbler's motor");
     }
 }
 
@@ -43,37 +45,41 @@ QString upperFirst(QString text) {
 QString lightsText(const wire::TestMode& mode) {
     switch (mode.testClass) {
         case TestClass::Lamp:
-            return Check::tr("LEDs: all four on");
+            return CheckWords::tr("LEDs: all four on");
         case TestClass::Hall:
-            return Check::tr("LEDs: Hall sensors of %1").arg(wheelText(mode.target));
+            return CheckWords::tr("LEDs: Hall sensors of %1").arg(wheelText(mode.target));
         case TestClass::Encoder:
-            return Check::tr("LEDs: encoder lines of %1").arg(wheelText(mode.target));
+            return CheckWords::tr("LEDs: encoder lines of %1").arg(wheelText(mode.target));
         case TestClass::EncoderCount:
-            return Check::tr("LEDs: encoder count of %1").arg(wheelText(mode.target));
+            return CheckWords::tr("LEDs: encoder count of %1").arg(wheelText(mode.target));
         default:
-            return Check::tr("LEDs: charger");
+            return CheckWords::tr("LEDs: charger");
     }
 }
 
 QString lightsQuestion(const wire::TestMode& mode) {
     switch (mode.testClass) {
         case TestClass::Lamp:
-            return Check::tr("Are all four LEDs lit?");
+            return CheckWords::tr("Are all four LEDs lit?");
         case TestClass::Hall:
-            return Check::tr("Turn %1 by hand: do LEDs 0 to 2 change, and is never all or none of them lit?")
+            return CheckWords::tr(
+                       "Turn %1 by hand: do LEDs 0 to 2 change, and is never all or none of them lit?")
                 .arg(wheelText(mode.target));
         case TestClass::Encoder:
-            return Check::tr("Turn %1 by hand: do LEDs 0 and 1 change by turns?").arg(wheelText(mode.target));
+            return CheckWords::tr("Turn %1 by hand: do LEDs 0 and 1 change by turns?")
+                .arg(wheelText(mode.target));
         case TestClass::EncoderCount:
-            return Check::tr("Turn %1 by hand: do the four LEDs count?").arg(wheelText(mode.target));
+            return CheckWords::tr("Turn %1 by hand: do the four LEDs count?").arg(wheelText(mode.target));
         default:
-            return Check::tr("Did LED 0 blink while the capacitor was charged, and did LED 1 stay dark?");
+            return CheckWords::tr(
+                "Did LED 0 blink while the capacitor was charged, and did LED 1 stay dark?");
     }
 }
 
 QString wheelQuestion(const CheckStep& step) {
-    const QString way = step.forward ? Check::tr("counter-clockwise") : Check::tr("clockwise");
-    return Check::tr("Did %1, turn smoothly the way that takes the robot %2, and did the four LEDs count?")
+    const QString way = step.forward ? CheckWords::tr("counter-clockwise") : CheckWords::tr("clockwise");
+    return CheckWords::tr(
+               "Did %1, turn smoothly the way that takes the robot %2, and did the four LEDs count?")
         .arg(wheelText(step.wheel), way);
 }
 
@@ -105,6 +111,11 @@ QString number(double value, CheckKind kind) {
     return QStringLiteral("%1 %2").arg(value, 0, 'f', text.decimals).arg(QString::fromUtf8(text.unit));
 }
 
+std::ptrdiff_t stepsOf(const CheckProgress& progress, int robot) {
+    return std::ranges::count_if(progress.rows,
+                                 [robot](const CheckRow& row) { return row.step.robot == robot; });
+}
+
 /// The steps of a robot that did not pass, as "Charge (failed)".
 QStringList troubles(const CheckProgress& progress, int robot) {
     QStringList all;
@@ -118,7 +129,7 @@ QStringList troubles(const CheckProgress& progress, int robot) {
     if (all.size() > kMost) {
         const qsizetype more = all.size() - kMost;
         all = all.first(kMost);
-        all << Check::tr("and %1 more").arg(more);
+        all << CheckWords::tr("and %1 more").arg(more);
     }
     return all;
 }
@@ -128,22 +139,22 @@ QStringList troubles(const CheckProgress& progress, int robot) {
 QString describe(const CheckStep& step) {
     switch (step.kind) {
         case CheckKind::Ready:
-            return Check::tr("Robot stands free");
+            return CheckWords::tr("Robot stands free");
         case CheckKind::Battery:
-            return Check::tr("Battery at rest");
+            return CheckWords::tr("Battery at rest");
         case CheckKind::Wheel:
             return QStringLiteral("%1, %2").arg(upperFirst(wheelText(step.wheel)),
                                                 step.forward ? QStringLiteral("+") : QString(QChar(0x2212)));
         case CheckKind::Dribbler:
-            return Check::tr("Dribbler, temperature after running");
+            return CheckWords::tr("Dribbler, temperature after running");
         case CheckKind::Load:
-            return Check::tr("Battery under load, sag");
+            return CheckWords::tr("Battery under load, sag");
         case CheckKind::Charge:
-            return Check::tr("Capacitor, time to charged");
+            return CheckWords::tr("Capacitor, time to charged");
         case CheckKind::Kick:
-            return Check::tr("Kick, drop of the capacitor");
+            return CheckWords::tr("Kick, drop of the capacitor");
         case CheckKind::Discharge:
-            return Check::tr("Capacitor after discharge");
+            return CheckWords::tr("Capacitor after discharge");
         case CheckKind::Lights:
             return lightsText(step.mode);
     }
@@ -153,15 +164,15 @@ QString describe(const CheckStep& step) {
 QString describe(CheckVerdict verdict) {
     switch (verdict) {
         case CheckVerdict::Waiting:
-            return Check::tr("not done");
+            return CheckWords::tr("not done");
         case CheckVerdict::Passed:
-            return Check::tr("passed");
+            return CheckWords::tr("passed");
         case CheckVerdict::Failed:
-            return Check::tr("failed");
+            return CheckWords::tr("failed");
         case CheckVerdict::Skipped:
-            return Check::tr("skipped");
+            return CheckWords::tr("skipped");
         case CheckVerdict::NotSeen:
-            return Check::tr("not seen");
+            return CheckWords::tr("not seen");
     }
     return {};
 }
@@ -169,13 +180,13 @@ QString describe(CheckVerdict verdict) {
 QString questionText(const CheckStep& step) {
     switch (step.kind) {
         case CheckKind::Ready:
-            return Check::
+            return CheckWords::
                 tr("Does robot %1 stand on its stand, its wheels free, no hand near, no ball at its kicker?")
                     .arg(step.robot);
         case CheckKind::Wheel:
             return wheelQuestion(step);
         case CheckKind::Dribbler:
-            return Check::tr("Did the dribbler turn?");
+            return CheckWords::tr("Did the dribbler turn?");
         case CheckKind::Lights:
             return lightsQuestion(step.mode);
         default:
@@ -184,22 +195,22 @@ QString questionText(const CheckStep& step) {
 }
 
 QString workText(const CheckRow& row, CheckStage stage) {
-    if (stage == CheckStage::Discharging) return Check::tr("The capacitor is emptied first…");
+    if (stage == CheckStage::Discharging) return CheckWords::tr("The capacitor is emptied first…");
     switch (row.step.kind) {
         case CheckKind::Wheel:
-            return Check::tr("%1 runs…").arg(upperFirst(wheelText(row.step.wheel)));
+            return CheckWords::tr("%1 runs…").arg(upperFirst(wheelText(row.step.wheel)));
         case CheckKind::Dribbler:
-            return Check::tr("The dribbler runs…");
+            return CheckWords::tr("The dribbler runs…");
         case CheckKind::Load:
-            return Check::tr("Everything runs, to load the battery…");
+            return CheckWords::tr("Everything runs, to load the battery…");
         case CheckKind::Charge:
-            return Check::tr("The capacitor charges: look at LED 0 and LED 1…");
+            return CheckWords::tr("The capacitor charges: look at LED 0 and LED 1…");
         case CheckKind::Kick:
-            return Check::tr("Kicks, and measures the capacitor…");
+            return CheckWords::tr("Kicks, and measures the capacitor…");
         case CheckKind::Discharge:
-            return Check::tr("The capacitor is emptied…");
+            return CheckWords::tr("The capacitor is emptied…");
         default:
-            return Check::tr("%1…").arg(describe(row.step));
+            return CheckWords::tr("%1…").arg(describe(row.step));
     }
 }
 
@@ -233,42 +244,72 @@ QString labelOf(const CheckLimitInfo& info) {
         {"kick_us", QT_TRANSLATE_NOOP("Check", "Kick's pulse")},
     };
     const auto found = kLabels.find(info.name);
-    return found == kLabels.end() ? QString::fromLatin1(info.name) : Check::tr(found->second);
+    return found == kLabels.end() ? QString::fromLatin1(info.name) : CheckWords::tr(found->second);
 }
 
-QString sentenceOf(const CheckProgress& progress, int robot) {
+namespace {
+
+/// What came of a robot's steps, as far as it had any.
+QString outcomeOf(const CheckProgress& progress, int robot) {
     const QString why = troubles(progress, robot).join(QStringLiteral(", "));
     switch (verdictOf(progress, robot)) {
         case CheckVerdict::Passed:
-            return Check::tr("Robot %1 passed every step.").arg(robot);
+            return CheckWords::tr("Robot %1 passed its %2 steps.").arg(robot).arg(stepsOf(progress, robot));
         case CheckVerdict::Waiting:
-            return progress.running() ? Check::tr("Robot %1 is not through yet.").arg(robot)
-                                      : Check::tr("The check of robot %1 was not finished.").arg(robot);
+            return progress.running() ? CheckWords::tr("Robot %1 is not through yet.").arg(robot)
+                                      : CheckWords::tr("The check of robot %1 was not finished.").arg(robot);
         case CheckVerdict::Skipped:
-            return Check::tr("Robot %1 failed nothing, but not all was checked: %2.").arg(robot).arg(why);
+            return CheckWords::tr("Robot %1 failed nothing, but not all was checked: %2.")
+                .arg(robot)
+                .arg(why);
         default:
-            return Check::tr("Robot %1 did not pass: %2.").arg(robot).arg(why);
+            return CheckWords::tr("Robot %1 did not pass: %2.").arg(robot).arg(why);
     }
+}
+
+/// "Passed: robots 5, 6. Not passed: robot 7."
+QString outcomeOf(const CheckProgress& progress) {
+    RobotMask passed = 0;
+    RobotMask others = 0;
+    int only = -1;
+    for (int robot = 0; robot < kRobots; ++robot) {
+        if (!contains(progress.plan.robots, robot)) continue;
+        only = robot;
+        (verdictOf(progress, robot) == CheckVerdict::Passed ? passed : others) |= maskOf(robot);
+    }
+    if (std::popcount(progress.plan.robots) == 1) return outcomeOf(progress, only);
+    QStringList sentences;
+    if (passed != 0) sentences << CheckWords::tr("Passed: %1.").arg(describeRobots(passed));
+    if (others != 0) sentences << CheckWords::tr("Not passed: %1.").arg(describeRobots(others));
+    return sentences.join(u' ');
+}
+
+/// The parts that were not chosen: who reads that a robot passed must not take them for checked.
+QString withLeftOut(const QString& outcome, const CheckPlan& plan) {
+    QStringList parts;
+    if (!plan.wheels) parts << CheckWords::tr("wheels");
+    if (!plan.dribbler) parts << CheckWords::tr("dribbler");
+    if (!plan.highVoltage) parts << CheckWords::tr("charge and kick");
+    if (!plan.lights) parts << CheckWords::tr("test LEDs");
+    if (parts.isEmpty()) return outcome;
+    return CheckWords::tr("%1 Not checked: %2.").arg(outcome, parts.join(QStringLiteral(", ")));
+}
+
+}  // namespace
+
+QString sentenceOf(const CheckProgress& progress, int robot) {
+    return withLeftOut(outcomeOf(progress, robot), progress.plan);
 }
 
 QString sentenceOf(const CheckProgress& progress) {
     if (progress.rows.empty()) return {};
-    int robots = 0;
-    int passed = 0;
-    for (int robot = 0; robot < kRobots; ++robot) {
-        if (!contains(progress.plan.robots, robot)) continue;
-        ++robots;
-        if (verdictOf(progress, robot) == CheckVerdict::Passed) ++passed;
-    }
+    QString outcome = outcomeOf(progress);
     if (progress.endedBy) {
         Error error;
         error.code = *progress.endedBy;
-        return Check::tr("The check was ended early: %1 Robots that passed: %2 of %3.")
-            .arg(describe(error).what)
-            .arg(passed)
-            .arg(robots);
+        outcome = CheckWords::tr("The check was ended early: %1 %2").arg(describe(error).what, outcome);
     }
-    return Check::tr("Robots that passed: %1 of %2.").arg(passed).arg(robots);
+    return withLeftOut(outcome, progress.plan);
 }
 
 }  // namespace kickstand

@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 
@@ -57,6 +58,12 @@ QJsonObject toJson(const CheckRow& row) {
     }
     if (row.why) json[QStringLiteral("reason")] = QString::fromLatin1(kickstand::name(*row.why));
     return json;
+}
+
+/// How the whole went, where that is not what is said of its only robot anyway.
+QString wholeText(const CheckProgress& progress) {
+    const bool one = std::popcount(progress.plan.robots) == 1;
+    return one && !progress.endedBy ? QString() : sentenceOf(progress);
 }
 
 QDateTime dateOf(WallTime time) {
@@ -144,8 +151,9 @@ QJsonObject checkReport(const CheckProgress& progress, WallTime began) {
 }
 
 QString checkReportHtml(const CheckProgress& progress, WallTime began) {
-    QString body = QStringLiteral("<h1>%1</h1>\n<p>%2</p>\n")
-                       .arg(title(began).toHtmlEscaped(), sentenceOf(progress).toHtmlEscaped());
+    QString body = QStringLiteral("<h1>%1</h1>\n").arg(title(began).toHtmlEscaped());
+    const QString whole = wholeText(progress);
+    if (!whole.isEmpty()) body += QStringLiteral("<p>%1</p>\n").arg(whole.toHtmlEscaped());
     // On paper each robot has its own sheet; the first shares its with the title.
     QString sheet;
     forRobots(progress, [&](int robot) {
@@ -167,7 +175,9 @@ QString checkReportHtml(const CheckProgress& progress, WallTime began) {
 }
 
 QString checkReportText(const CheckProgress& progress, WallTime began) {
-    QString text = title(began) + u'\n' + sentenceOf(progress) + u'\n';
+    QString text = title(began) + u'\n';
+    const QString whole = wholeText(progress);
+    if (!whole.isEmpty()) text += whole + u'\n';
     forRobots(progress, [&](int robot) {
         text += u'\n' + sentenceOf(progress, robot) + u'\n';
         forRows(progress, robot, [&text](const CheckRow& row) {

@@ -167,7 +167,7 @@ Text checkEvent(const thunderbots::Event& event) {
         case EventKind::RobotChecked: {
             const auto verdict = static_cast<thunderbots::CheckVerdict>(event.code);
             if (verdict == thunderbots::CheckVerdict::Passed)
-                return information(EventWords::tr("checked: passed every step"));
+                return information(EventWords::tr("checked: passed every step that was chosen"));
             return warning(EventWords::tr("checked: %1, steps that did not pass: %2")
                                .arg(describe(verdict))
                                .arg(event.previous));

@@ -42,13 +42,35 @@ TEST(CheckWords, EveryLimitHasALabel) {
 
 TEST(CheckWords, TheSentenceNamesWhatDidNotPass) {
     CheckProgress progress = wholeCheck();
-    EXPECT_EQ(sentenceOf(progress, 3), QStringLiteral("Robot 3 passed every step."));
+    const QString steps = QString::number(progress.rows.size());
+    EXPECT_EQ(sentenceOf(progress, 3), QStringLiteral("Robot 3 passed its %1 steps.").arg(steps));
+    EXPECT_EQ(sentenceOf(progress), sentenceOf(progress, 3));
     progress.rows[4].verdict = CheckVerdict::NotSeen;
     EXPECT_EQ(sentenceOf(progress, 3),
               QStringLiteral("Robot 3 did not pass: Wheel 2, back left, + (not seen)."));
-    EXPECT_EQ(sentenceOf(progress), QStringLiteral("Robots that passed: 0 of 1."));
+    EXPECT_EQ(sentenceOf(progress), sentenceOf(progress, 3));
     progress.endedBy = Errc::StopLatched;
     EXPECT_TRUE(sentenceOf(progress).startsWith(QStringLiteral("The check was ended early: ")));
+}
+
+TEST(CheckWords, TheSentenceSaysWhatWasLeftOut) {
+    const auto progress = [](RobotMask robots) {
+        CheckProgress left = wholeCheck(robots);
+        left.plan.highVoltage = false;
+        left.plan.lights = false;
+        return left;
+    };
+    EXPECT_TRUE(sentenceOf(progress(maskOf(6)))
+                    .endsWith(QStringLiteral(" steps. Not checked: charge and kick, test LEDs.")));
+    EXPECT_EQ(sentenceOf(progress(maskOf(5) | maskOf(6))),
+              QStringLiteral("Passed: robots 5-6. Not checked: charge and kick, test LEDs."));
+    EXPECT_TRUE(checkReportText(progress(maskOf(6)), {}).contains(QStringLiteral("Not checked: charge")));
+}
+
+TEST(CheckWords, OfSeveralRobotsTheSentenceNamesThoseThatPassedAndTheOthers) {
+    CheckProgress progress = wholeCheck(maskOf(3) | maskOf(5) | maskOf(7));
+    progress.rows.back().verdict = CheckVerdict::Failed;
+    EXPECT_EQ(sentenceOf(progress), QStringLiteral("Passed: robots 3, 5. Not passed: robot 7."));
 }
 
 TEST(CheckLimitsFile, WhatWasSavedIsReadAgain) {
@@ -105,7 +127,7 @@ TEST(CheckReport, HasEveryStepWithLimitValueAndVerdict) {
     EXPECT_FALSE(html.contains(QStringLiteral("page-break"))) << "one robot shares the title's page";
 
     const QString text = checkReportText(progress, {});
-    EXPECT_EQ(text.count(u'\n'), static_cast<qsizetype>(progress.rows.size()) + 4);
+    EXPECT_EQ(text.count(u'\n'), static_cast<qsizetype>(progress.rows.size()) + 3);
 }
 
 }  // namespace
