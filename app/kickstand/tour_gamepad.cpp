@@ -97,7 +97,7 @@ void addLoss(TourMaker& tour, const std::shared_ptr<Hand>& hand) {
         [hand, braked] { return hand->says(QStringLiteral("gone")) && braked(); });
     tour.show(
         "gamepad-back", [hand] { hand->plugInAgain(); },
-        [hand] { return hand->says(QStringLiteral("Let the sticks go")); });
+        [hand] { return hand->says(QStringLiteral("Let go of both sticks")); });
     tour.add(
         "gamepad-neutral", [hand] { hand->letGo(); },
         [hand] { return hand->says(QStringLiteral("It drives")); });

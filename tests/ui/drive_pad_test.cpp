@@ -12,6 +12,7 @@
 #include "ui/thunderbots/drive_control.h"
 #include "ui/thunderbots/drive_pad_panel.h"
 #include "ui/thunderbots/kick_settings.h"
+#include "ui/widgets/state_label.h"
 
 namespace kickstand::test {
 namespace {
@@ -73,6 +74,7 @@ class PadTest : public BenchTest {
         EXPECT_NE(found, nullptr) << name;
         return found;
     }
+    bool warns() { return panel->findChild<ui::StateLabel*>(QStringLiteral("padSign"))->isVisible(); }
     QString says() { return panel->findChild<QLabel*>(QStringLiteral("padState"))->text(); }
     void push(int axis, double to) { pads.state.axes[static_cast<std::size_t>(axis)] = to; }
     void hold(int which, bool down) { pads.state.buttons[static_cast<std::size_t>(which)] = down; }
@@ -149,19 +151,22 @@ TEST_F(PadTest, OneThatIsLostBrakesAtOnceAndMustPassNeutralWhenItIsBack) {
     pads.plugged.clear();
     EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return !block.run; }));
     EXPECT_TRUE(says().contains(QStringLiteral("gone"))) << says().toStdString();
+    EXPECT_TRUE(warns());
     ASSERT_TRUE(rig.settle());
     rig.wire().clear();
     pads.plugged = {{2, "Fake pad", "0011", true}};
     ASSERT_TRUE(waitUntil([this] { return pad->isThere(); }));
     ASSERT_TRUE(look());
     EXPECT_TRUE(pad->awaitsNeutral());
-    EXPECT_TRUE(says().contains(QStringLiteral("Let the sticks go"))) << says().toStdString();
+    EXPECT_TRUE(says().contains(QStringLiteral("Let go of both sticks"))) << says().toStdString();
+    EXPECT_TRUE(warns());
     EXPECT_FALSE(rig.wire().last(3).has_value());
     push(1, 0);
     ASSERT_TRUE(waitUntil([this] { return !pad->awaitsNeutral(); }));
     push(1, -1);
     EXPECT_TRUE(waitForward());
     EXPECT_TRUE(says().contains(QStringLiteral("It drives"))) << says().toStdString();
+    EXPECT_FALSE(warns());
 }
 
 TEST_F(PadTest, BackWithAStickThatIsHeldItNeitherKicksNorDribbles) {
@@ -223,7 +228,7 @@ TEST_F(PadTest, AfterStopAStickThatIsStillHeldCountsForNothing) {
     rig.wire().clear();
     ASSERT_TRUE(look());
     EXPECT_FALSE(rig.wire().last(3).has_value());
-    EXPECT_TRUE(says().contains(QStringLiteral("Let the sticks go"))) << says().toStdString();
+    EXPECT_TRUE(says().contains(QStringLiteral("Let go of both sticks"))) << says().toStdString();
 }
 
 TEST_F(PadTest, TheDribblerIsSwitchedByItsButton) {
@@ -306,6 +311,7 @@ TEST_F(PadTest, OneThatTellsNothingNewWhileAStickIsOffTheMiddleBrakes) {
     ASSERT_TRUE(waitForward());
     EXPECT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return !block.run; }));
     EXPECT_TRUE(says().contains(QStringLiteral("Nothing has moved"))) << says().toStdString();
+    EXPECT_TRUE(warns());
     rig.wire().clear();
     push(1, -0.9);
     ASSERT_TRUE(look());

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QSettings>
 #include <chrono>
+#include <utility>
 
 #include "core/engine/describe.h"
 #include "ui/shell/bench.h"
@@ -89,7 +90,8 @@ void Connector::fillMenu() {
     bench_.client().submit(0, Discover{});
     addFound();
     addPorts();
-    addOffers();
+    addOffers(tr("Hardware to look for"), false);
+    addOffers(tr("Simulated"), true);
     addRecent();
     addSessions();
 }
@@ -126,10 +128,12 @@ void Connector::addPorts() {
     }
 }
 
-void Connector::addOffers() {
-    menu_->addSection(tr("Simulated"));
+void Connector::addOffers(const QString& title, bool simulated) {
+    bool any = false;
     for (const auto& view : bench_.systems().views()) {
         for (const LinkOffer& offer : view->offers()) {
+            if (offer.uri.isSimulated() != simulated) continue;
+            if (!std::exchange(any, true)) menu_->addSection(title);
             QAction* action = menu_->addAction(offer.title);
             action->setToolTip(offer.explanation);
             connect(action, &QAction::triggered, this, [this, uri = offer.uri] { connectTo(uri); });

@@ -41,7 +41,8 @@ class Connector final : public QObject {
     void fillMenu();
     void addFound();
     void addPorts();
-    void addOffers();
+    /// Those of simulations, or those that look for hardware.
+    void addOffers(const QString& title, bool simulated);
     void addRecent();
     void addSessions();
     void remember(const LinkUri& uri);

@@ -125,7 +125,7 @@ void DoctorWindow::refresh() {
     if (wrong != findings_.end()) {
         verdict_->setState(Tone::Danger, tr("Begin here: %1").arg(describe(*wrong).what));
     } else if (toLookAt > 0) {
-        verdict_->setState(Tone::Warning, tr("Everything works. To look at: %1.").arg(toLookAt));
+        verdict_->setState(Tone::Warning, tr("Nothing is broken. To look at: %1.").arg(toLookAt));
     } else {
         verdict_->setState(Tone::Good, tr("Nothing that was looked at is wrong."));
     }

@@ -241,7 +241,8 @@ void ChecksPanel::showQuestion() {
     for (QPushButton* button : answers_)
         button->setEnabled(open);
     answers_[static_cast<std::size_t>(CheckAnswer::Again)]->setEnabled(open && check().canRepeat());
-    setButtonRole(answers_[0], open ? ButtonRole::Primary : ButtonRole::Normal);
+    // Whether hands are away is not to be answered by habit.
+    setButtonRole(answers_[0], open && !ready ? ButtonRole::Primary : ButtonRole::Normal);
 }
 
 void ChecksPanel::start() {

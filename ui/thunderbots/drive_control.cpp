@@ -90,12 +90,13 @@ void DriveControl::refresh() {
 
 QString DriveControl::findReason(const Snapshot* snapshot) const {
     if (snapshot == nullptr) return tr("Not connected.");
-    if (bench_->client().isStopped()) return tr("Everything is stopped. Re-arm to drive again.");
     if (snapshot->link != LinkState::Running)
         return tr("The link does not run: %1.").arg(describe(snapshot->link));
     if (snapshot->eStop != wire::EStop::Run) {
         return tr("The emergency stop is not in run (%1). Turn it to run.").arg(describe(snapshot->eStop));
     }
+    // Only now: before, to re-arm would not help yet.
+    if (bench_->client().isStopped()) return tr("Everything is stopped. Re-arm to drive again.");
     if (summary_.chosen == 0) return tr("Choose a robot: click its tile.");
     if (summary_.live == 0)
         return tr("Not heard: %1. Switch it on, or choose another.").arg(robotsText(summary_.chosen));

@@ -18,6 +18,7 @@
 #include "ui/widgets/scrolled.h"
 #include "ui/widgets/segmented.h"
 #include "ui/widgets/signed_spin_box.h"
+#include "ui/widgets/state_label.h"
 #include "ui/widgets/tokens.h"
 
 namespace kickstand::ui {
@@ -44,9 +45,6 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     : Panel(bench, parent), control_(control), pad_(pad) {
     pad_->setParent(this);
     setObjectName(QStringLiteral("padPanel"));
-    state_ = new QLabel(this);
-    state_->setObjectName(QStringLiteral("padState"));
-    state_->setWordWrap(true);
     picture_ = new PadPicture(this);
     picture_->setMinimumSize(kPictureSize, kPictureSize);
     auto* row = new QHBoxLayout;
@@ -70,12 +68,27 @@ DrivePadPanel::DrivePadPanel(Bench& bench, DriveControl& control, DrivePad* pad,
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);
     whole->addWidget(area, 1);
-    state_->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, metrics::kGap);
-    whole->addWidget(state_);
+    whole->addWidget(makeState());
     connect(pad_, &DrivePad::changed, this, &DrivePadPanel::refresh);
     connect(pad_, &DrivePad::moved, this, &DrivePadPanel::showPicture);
     connect(&control_, &DriveControl::changed, this, &DrivePadPanel::refresh);
     refresh();
+}
+
+QWidget* DrivePadPanel::makeState() {
+    auto* box = new QWidget(this);
+    sign_ = new StateLabel(box);
+    sign_->setObjectName(QStringLiteral("padSign"));
+    sign_->setState(Tone::Warning, {});
+    state_ = new QLabel(box);
+    state_->setObjectName(QStringLiteral("padState"));
+    state_->setWordWrap(true);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, metrics::kGap);
+    row->setSpacing(0);
+    row->addWidget(sign_, 0, Qt::AlignTop);
+    row->addWidget(state_, 1);
+    return box;
 }
 
 QWidget* DrivePadPanel::makeTop() {
@@ -195,6 +208,9 @@ void DrivePadPanel::refresh() {
     showPicture();
     const QString state = stateText();
     if (state_->text() != state) state_->setText(state);
+    const bool heldUp = isHeldUp();
+    sign_->setVisible(heldUp);
+    state_->setFont(textFont(metrics::kTextSize, heldUp ? QFont::DemiBold : QFont::Normal));
     const thunderbots::RobotMask chosen = control_.summary().chosen;
     setNote(chosen == 0 ? tr("no robot chosen") : robotsText(chosen));
 }
@@ -253,8 +269,14 @@ QString DrivePadPanel::stateText() const {
     if (pad_->learning()) return tr("Nothing is driven while an input is being chosen.");
     if (!pad_->isOn()) return tr("It does not drive. Its STOP button counts all the same.");
     if (!control_.reasonNotToDrive().isEmpty()) return control_.reasonNotToDrive();
-    if (pad_->awaitsNeutral()) return tr("Let the sticks go once: then they count.");
+    if (pad_->awaitsNeutral()) return tr("Let go of both sticks: then they count.");
     return tr("It drives what is chosen. Letting the sticks go stops.");
+}
+
+bool DrivePadPanel::isHeldUp() const {
+    if (!pad_->notice().isEmpty()) return true;
+    if (!pad_->isOn() || pad_->learning()) return false;
+    return !pad_->isThere() || (control_.reasonNotToDrive().isEmpty() && pad_->awaitsNeutral());
 }
 
 void DrivePadPanel::closed() {

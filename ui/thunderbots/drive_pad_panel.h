@@ -16,6 +16,7 @@ class DriveControl;
 class DrivePad;
 class PadPicture;
 class Segmented;
+class StateLabel;
 
 /// The gamepad: which one, what its sticks and buttons do, how they feel, and whether it drives.
 class DrivePadPanel final : public Panel {
@@ -39,6 +40,9 @@ class DrivePadPanel final : public Panel {
     void showMap();
     void showPicture();
     QString stateText() const;
+    /// Whether what is done on the gamepad does not count though it is to drive.
+    bool isHeldUp() const;
+    QWidget* makeState();
     void setFeel();
 
     DriveControl& control_;
@@ -53,6 +57,7 @@ class DrivePadPanel final : public Panel {
     QSpinBox* dead_ = nullptr;
     QSpinBox* bend_ = nullptr;
     QSpinBox* speed_ = nullptr;
+    StateLabel* sign_ = nullptr;  ///< Only its shape.
     QLabel* state_ = nullptr;
 };
 

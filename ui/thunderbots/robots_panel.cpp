@@ -56,7 +56,7 @@ void RobotsPanel::refresh() {
 QString RobotsPanel::hintFor(const Snapshot& snapshot, int heard) const {
     if (snapshot.link != LinkState::Running)
         return snapshot.connections == 0 ? tr("No link yet.")
-                                         : tr("No link: all this is of before it was lost.");
+                                         : tr("No link: last values before it was lost.");
     if (heard == 0) return tr("No robot is heard yet. Switch one on.");
     if (choice_.chosen() == 0) return tr("Click to choose, Ctrl-click to add, Ctrl+A for all.");
     return grid_->marks().oddOne < 0
