@@ -259,10 +259,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot %1 passed every step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Robot %1 is not through yet.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -279,19 +275,47 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The check was ended early: %1 Robots that passed: %2 of %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robots that passed: %1 of %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Did %1, turn smoothly the way that takes the robot %2, and did the four LEDs count?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Does robot %1 stand on its stand, its wheels free, no hand near, no ball at its kicker?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot %1 passed its %2 steps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dribbler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>charge and kick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>test LEDs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Not checked: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check was ended early: %1 %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2337,10 +2361,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>checked: passed every step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>checked: %1, steps that did not pass: %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2450,6 +2470,10 @@
     </message>
     <message>
         <source>re-armed: what was stopped can move again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checked: passed every step that was chosen</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6672,6 +6696,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>Serial ports</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Hardware to look for</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::ConversationView</name>
@@ -6932,7 +6960,7 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Everything works. To look at: %1.</source>
+        <source>Nothing is broken. To look at: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7156,11 +7184,11 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the sticks go once: then they count.</source>
+        <source>It drives what is chosen. Letting the sticks go stops.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It drives what is chosen. Letting the sticks go stops.</source>
+        <source>Let go of both sticks: then they count.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9691,15 +9719,15 @@ steps not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No link: all this is of before it was lost.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No robot is heard yet. Switch one on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Click to choose, Ctrl-click to add, Ctrl+A for all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No link: last values before it was lost.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
