@@ -120,7 +120,7 @@ TEST_F(KickLogPanelTest, ASweepIsStoppedByItsButton) {
     ASSERT_TRUE(rig.waitForSnapshot([](const Snapshot& snapshot) { return !snapshot.sweep->running(); }));
     EXPECT_EQ(rig.snapshot()->sweep->endedBy, Errc::Cancelled);
     ASSERT_TRUE(
-        waitUntil([this] { return line("sweepProgress").contains(QStringLiteral("Stopped by hand")); }));
+        waitUntil([this] { return line("sweepProgress").contains(QStringLiteral("Stopped after")); }));
 }
 
 TEST_F(KickLogPanelTest, StopEndsASweep) {
@@ -143,6 +143,9 @@ TEST_F(KickLogPanelTest, WhyASweepCannotBeStartedIsSaid) {
     arm();
     type("kickWidth2", QStringLiteral("320"));
     type("kickOffset", QStringLiteral("-640"));
+    ASSERT_TRUE(waitUntil([this] {
+        return line("sweepProgress").contains(QStringLiteral("Width 2 stays 320 µs, the offset −640 µs."));
+    })) << line("sweepProgress").toStdString();
     type("sweepTo", QStringLiteral("4064"));
     ASSERT_TRUE(waitUntil([this] { return line("sweepProgress").contains(QStringLiteral("4064")); }))
         << line("sweepProgress").toStdString();

@@ -41,6 +41,7 @@ TEST_F(KickPanelTest, EachButtonSendsItsSolenoids) {
     EXPECT_TRUE(
         line("kickWire").contains(QStringLiteral("t1 63 \u00b7 t2 42 \u00b7 \u0394t 10 \u00b7 flags 1 0")))
         << line("kickWire").toStdString();
+    EXPECT_TRUE(line("kickWire").startsWith(QStringLiteral("both on the wire")));
     press("kickBoth");
     EXPECT_EQ(kickOnWire(), (Bytes{0xbf, 0x2a, 0x0a}));
     ASSERT_TRUE(rig.settle());
@@ -66,6 +67,16 @@ TEST_F(KickPanelTest, WhatIsTypedStaysWhileTheRobotsGoOnAndIsTakenWhenTheFieldIs
     field("kickWidth2")->setFocus();
     EXPECT_EQ(width->value(), 1824);
     EXPECT_TRUE(line("kickWire").contains(QStringLiteral("t1 57"))) << line("kickWire").toStdString();
+}
+
+TEST_F(KickPanelTest, WhatIsOnTheWireIsSaidOfBothOnlyWhereThereAreTwo) {
+    type("kickWidth1", QStringLiteral("2400"));
+    type("kickWidth2", QStringLiteral("1280"));
+    EXPECT_TRUE(line("kickWire").startsWith(QStringLiteral("both on the wire: t1 75")))
+        << line("kickWire").toStdString();
+    type("kickWidth2", QStringLiteral("0"));
+    EXPECT_TRUE(line("kickWire").startsWith(QStringLiteral("on the wire: t1 75")))
+        << line("kickWire").toStdString();
 }
 
 TEST_F(KickPanelTest, NumbersOffTheGridAreSnappedAndThatIsSaid) {

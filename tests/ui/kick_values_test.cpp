@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/thunderbots/wire/readings.h"
 #include "ui/thunderbots/kick_presets.h"
 #include "ui/thunderbots/kick_rows.h"
 #include "ui/thunderbots/kick_settings.h"
@@ -177,9 +178,34 @@ TEST(KickWords, SayWhatWasMeasuredAndNeverDelivered) {
 
 TEST(KickWords, TellHowChargingGoes) {
     const TimePoint now{10s};
-    EXPECT_EQ(chargeText({now - 2s, {}}, false, now).toStdString(), "charging for 2.0 s");
-    EXPECT_EQ(chargeText({{}, 3100ms}, true, now).toStdString(), "charged · took 3.1 s from switching on");
-    EXPECT_EQ(chargeText({}, false, now).toStdString(), "not charged");
+    EXPECT_EQ(chargeText({now - 2s, {}}, {}, true, now).toStdString(), "charging for 2.0 s");
+    const Readings full{.capacitor_V = 217, .charged = true};
+    EXPECT_EQ(chargeText({{}, 3100ms}, full, true, now).toStdString(),
+              "charged · took 3.1 s from switching on");
+}
+
+TEST(KickWords, NeverCallWhatIsLiveNotCharged) {
+    const auto at = [](double capacitor_V, bool charger) {
+        return chargeText({}, Readings{.capacitor_V = capacitor_V}, charger, TimePoint{10s}).toStdString();
+    };
+    EXPECT_EQ(at(211, false), "charger off, still live");
+    EXPECT_EQ(at(213, true), "recharging");
+    EXPECT_EQ(at(wire::kCapacitorLive_V, false), "charger off, still live");
+    EXPECT_EQ(at(wire::kCapacitorLive_V - 1, false), "not charged");
+    KickRecord dropped = measured(1);
+    dropped.measure = KickMeasure::NotRecharged;
+    EXPECT_FALSE(measureText(dropped).contains(QStringLiteral("not charged"))) << "149 V are left";
+    EXPECT_FALSE(measureWord(dropped.measure).contains(QStringLiteral("not charged")));
+}
+
+/// What a small window shows of it is one line.
+TEST(KickWords, ASweepStoppedByHandIsToldInOneShortLine) {
+    SweepProgress sweep;
+    sweep.stage = SweepStage::Ended;
+    sweep.endedBy = Errc::Cancelled;
+    sweep.given = 3;
+    sweep.total = 7;
+    EXPECT_EQ(sweepText(sweep).toStdString(), "Stopped after 3 of 7 kicks.");
 }
 
 TEST(KickCsv, HasALineAKickAndEmptyCellsForWhatIsNotKnown) {

@@ -170,9 +170,10 @@ QString KickLogPanel::outlook(bool& possible) const {
     if (!kicks) return describe(kicks.error()).line();
     QString text = tr("%1 kicks in %2 steps.").arg(kicks->size()).arg(stepsOf(plan));
     if (plan.otherWidth_us > 0) {
-        text += tr(" Width %1 stays %2 \u00b5s, and so does the offset.")
+        text += tr(" Width %1 stays %2 \u00b5s, the offset %3 \u00b5s.")
                     .arg(plan.solenoid == 1 ? 2 : 1)
-                    .arg(plan.otherWidth_us);
+                    .arg(plan.otherWidth_us)
+                    .arg(signedNumber(plan.offset_us));
     }
     return text;
 }

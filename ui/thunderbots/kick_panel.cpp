@@ -214,8 +214,11 @@ void KickPanel::showPulses() {
     view_->showPulses(pulses);
     view_->setLabels(kick_.label(KickWay::First), kick_.label(KickWay::Second));
     fields_->showPulses(pulses);
-    QString text =
-        encoded ? tr("on the wire: %1").arg(wireText(encoded->times)) : tr("no such kick exists on the wire");
+    // Either button alone sends other times, which its tooltip has.
+    const bool both = pulses.width1_us > 0 && pulses.width2_us > 0;
+    QString text = !encoded ? tr("no such kick exists on the wire")
+                   : both   ? tr("both on the wire: %1").arg(wireText(encoded->times))
+                            : tr("on the wire: %1").arg(wireText(encoded->times));
     if (pulses.offset_us != 0 && (pulses.width1_us == 0 || pulses.width2_us == 0))
         text += tr("   offset unused");
     if (!snapped_.isEmpty()) text = QStringLiteral("%1   %2").arg(text, snapped_);
@@ -252,11 +255,13 @@ void KickPanel::showButtons(const Snapshot* snapshot) {
 void KickPanel::showVoltage(const Snapshot& snapshot, const QString& reason) {
     voltage_->showState(summary_, bench().client().now(), waiting_ == 0);
     voltage_->setObstacle(reason);
-    const int robot = onlyRobot(summary_);
     QString text;
-    if (robot >= 0 && snapshot.robots[static_cast<std::size_t>(robot)].freshness == Freshness::Current) {
-        text = chargeText(snapshot.charges[static_cast<std::size_t>(robot)],
-                          snapshot.robots[static_cast<std::size_t>(robot)].readings.charged, snapshot.time);
+    if (const int robot = onlyRobot(summary_); robot >= 0) {
+        const auto at = static_cast<std::size_t>(robot);
+        const RobotState& state = snapshot.robots[at];
+        if (state.freshness == Freshness::Current)
+            text =
+                chargeText(snapshot.charges[at], state.readings, snapshot.intents[at].charger, snapshot.time);
     }
     charge_->setText(text);
     charge_->setVisible(!text.isEmpty());

@@ -155,6 +155,7 @@ void KickSweepBox::showState(const std::optional<SweepProgress>& sweep, const QS
     QString text = running ? sweepText(*sweep) : reason.isEmpty() ? outlook : reason;
     if (!running && sweep) text = sweepText(*sweep) + u'\n' + text;
     progress_->setText(text);
+    progress_->setToolTip(text);
     progress_->setForegroundRole(running ? QPalette::WindowText : QPalette::PlaceholderText);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/engine/describe.h"
+#include "core/thunderbots/wire/readings.h"
 #include "ui/thunderbots/words.h"
 #include "ui/widgets/tokens.h"
 
@@ -40,6 +41,13 @@ QString stageText(SweepStage stage) {
     return {};
 }
 
+/// "not charged" reads as safe to touch: it is kept for what is.
+QString chargeWord(const Readings& readings, bool charger) {
+    if (readings.charged) return Words::tr("charged");
+    if (readings.capacitor_V < wire::kCapacitorLive_V) return Words::tr("not charged");
+    return charger ? Words::tr("recharging") : Words::tr("charger off, still live");
+}
+
 }  // namespace
 
 QString secondsText(Duration span) {
@@ -72,7 +80,7 @@ QString measureWord(KickMeasure measure) {
         case KickMeasure::NoDrop:
             return Words::tr("no drop");
         case KickMeasure::NotRecharged:
-            return Words::tr("not charged again");
+            return Words::tr("not full again");
         case KickMeasure::Overtaken:
             return Words::tr("kicked again");
         case KickMeasure::Lost:
@@ -92,7 +100,7 @@ QString measureText(const KickRecord& record) {
         case KickMeasure::NoDrop:
             return Words::tr("the capacitor stayed at %1").arg(capacitorText(*record.after_V));
         case KickMeasure::NotRecharged:
-            return Words::tr("%1, not charged again").arg(dropText(record));
+            return Words::tr("%1, not full again").arg(dropText(record));
         case KickMeasure::Overtaken:
         case KickMeasure::Lost:
             break;
@@ -121,9 +129,12 @@ QString sweepText(const SweepProgress& sweep) {
         Error error;
         error.code = *sweep.endedBy;
         error.robot = sweep.plan.robot;
-        const QString why =
-            error.code == Errc::Cancelled ? Words::tr("Stopped by hand.") : describe(error).what;
-        return Words::tr("Ended after %1 of %2 kicks. %3").arg(sweep.given).arg(sweep.total).arg(why);
+        if (error.code == Errc::Cancelled)
+            return Words::tr("Stopped after %1 of %2 kicks.").arg(sweep.given).arg(sweep.total);
+        return Words::tr("Ended after %1 of %2 kicks. %3")
+            .arg(sweep.given)
+            .arg(sweep.total)
+            .arg(describe(error).what);
     }
     const int next =
         std::min(sweep.stage == SweepStage::Measuring ? sweep.given : sweep.given + 1, sweep.total);
@@ -136,9 +147,9 @@ QString sweepText(const SweepProgress& sweep) {
         .arg(pulsesText(pulses), stageText(sweep.stage));
 }
 
-QString chargeText(const ChargeRecord& charge, bool charged, TimePoint now) {
+QString chargeText(const ChargeRecord& charge, const Readings& readings, bool charger, TimePoint now) {
     if (charge.since) return Words::tr("charging for %1").arg(secondsText(now - *charge.since));
-    const QString state = charged ? Words::tr("charged") : Words::tr("not charged");
+    const QString state = chargeWord(readings, charger);
     if (!charge.toCharged) return state;
     return Words::tr("%1 \u00b7 took %2 from switching on").arg(state, secondsText(*charge.toCharged));
 }

@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "core/thunderbots/kick_record.h"
+#include "core/thunderbots/snapshot.h"
 #include "core/thunderbots/sweep_plan.h"
 #include "core/thunderbots/wire/kick_timing.h"
 
@@ -22,8 +23,10 @@ QString measureWord(thunderbots::KickMeasure measure);
 QString causeText(thunderbots::KickCause cause);
 /// "kick 3 of 12 · 960 / 0 µs · charging"; how it ended when it has.
 QString sweepText(const thunderbots::SweepProgress& sweep);
-/// How charging goes: "charged in 3.1 s", "charging for 2 s".
-QString chargeText(const thunderbots::ChargeRecord& charge, bool charged, TimePoint now);
+/// How charging goes: "charging for 2.0 s", "charged · took 3.1 s from switching on", "charger off, still
+/// live".
+QString chargeText(const thunderbots::ChargeRecord& charge, const thunderbots::Readings& readings,
+                   bool charger, TimePoint now);
 /// Seconds with one decimal.
 QString secondsText(Duration span);
 

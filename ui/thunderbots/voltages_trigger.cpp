@@ -48,7 +48,7 @@ VoltagesTrigger::VoltagesTrigger(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(metrics::kPadding, 4, metrics::kPadding, 4);
     row->setSpacing(metrics::kGap);
-    row->addWidget(new QLabel(tr("Stand still when"), this));
+    row->addWidget(new QLabel(tr("Freeze when"), this));
     for (QWidget* widget : {static_cast<QWidget*>(curve_), static_cast<QWidget*>(edge_),
                             static_cast<QWidget*>(level_), static_cast<QWidget*>(arm_)}) {
         row->addWidget(widget);

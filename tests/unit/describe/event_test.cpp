@@ -63,7 +63,7 @@ TEST(DescribeEvent, ASweepThatEndsEarlySaysWhy) {
         textOf(eventOf(EventKind::SweepEnded, static_cast<std::int64_t>(Errc::NotCharging), 3));
     EXPECT_EQ(early.severity, Severity::Warning);
     EXPECT_EQ(early.text.toStdString(),
-              "sweep ended early, kicks given: 3: The capacitor was not charged in time");
+              "sweep ended early, kicks given: 3: The capacitor was not full in time");
 }
 
 TEST(DescribeEvent, AKickIsGivenToTheDongleAndNeverDelivered) {
