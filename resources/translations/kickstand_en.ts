@@ -1854,10 +1854,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The capacitor[ of robot {robot}] was not charged in time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Check the charger and the battery, or give it longer.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2239,6 +2235,10 @@
     </message>
     <message>
         <source>It arrived, and nothing came back that says whether the robot obeys (adjust); it is not sent again unasked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The capacitor[ of robot {robot}] was not full in time.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3490,10 +3490,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not charged again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>kicked again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3515,10 +3511,6 @@
     </message>
     <message>
         <source>the capacitor stayed at %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, not charged again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3554,10 +3546,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stopped by hand.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ended after %1 of %2 kicks. %3</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3579,6 +3567,26 @@
     </message>
     <message>
         <source>%1 · took %2 from switching on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recharging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>charger off, still live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not full again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, not full again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped after %1 of %2 kicks.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5921,6 +5929,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
             <numerusform></numerusform>
         </translation>
     </message>
+    <message>
+        <source>robot %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WheelText</name>
@@ -7987,7 +7999,7 @@ Double-click or Enter says more.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> Width %1 stays %2 µs, and so does the offset.</source>
+        <source> Width %1 stays %2 µs, the offset %3 µs.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8080,6 +8092,10 @@ armed with %1, not with what is drawn</source>
     </message>
     <message>
         <source>   offset unused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both on the wire: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10189,15 +10205,15 @@ steps not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stand still when</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Wait anew</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wait again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freeze when</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

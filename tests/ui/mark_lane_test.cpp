@@ -181,7 +181,7 @@ TEST(NamePlaces, StandAboveTheirLinesAndElseBelow) {
 TEST(NamePlaces, MovePastTheTitleAndLeaveOutWhatFindsNoPlace) {
     const QRectF area(0, 0, 400, 40);
     const QRectF title(0, 1, 90, 13);
-    const auto places = placeNames({{16, 80}, {20, 80}, {24, 80}}, 13, area, {title});
+    const auto places = placeNames({{16, 80}, {30, 80}}, 13, area, {title});
     ASSERT_TRUE(places[0]);
     EXPECT_GT(places[0]->left(), title.right());
     std::vector<QRectF> taken{title};
@@ -193,6 +193,20 @@ TEST(NamePlaces, MovePastTheTitleAndLeaveOutWhatFindsNoPlace) {
         taken.push_back(*place);
     }
     EXPECT_FALSE(placeNames({{5, 80}}, 13, QRectF(0, 0, 400, 10), {})[0]);
+}
+
+TEST(NamePlaces, OfTwoThatCollideTheMoreImportantStaysAndTheOtherStandsNowhereElse) {
+    const QRectF area(0, 0, 400, 100);
+    const auto two = placeNames({{60, 80}, {55, 80}}, 13, area, {});
+    ASSERT_TRUE(two[0] && two[1]);
+    EXPECT_EQ(two[0]->top(), 61) << "above it would stand on the other line";
+    EXPECT_EQ(two[1]->bottom(), 55);
+    const auto three = placeNames({{60, 80}, {55, 80}, {50, 80}}, 13, area, {});
+    EXPECT_TRUE(three[0] && three[2]);
+    EXPECT_FALSE(three[1]) << "both its places belong to other lines";
+    const auto low = placeNames({{95, 80}, {85, 80}}, 13, area, {});
+    ASSERT_TRUE(low[1]);
+    EXPECT_FALSE(low[0]);
 }
 
 }  // namespace

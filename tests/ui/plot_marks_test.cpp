@@ -47,7 +47,7 @@ class DescribedMarksTest : public testing::Test {
         state.describeMark = [this](const Mark& mark) -> std::optional<MarkWords> {
             ++asked;
             if (mark.unit == 9) return std::nullopt;
-            return MarkWords{QStringLiteral("unit %1").arg(mark.unit), {}, false};
+            return MarkWords{QStringLiteral("unit %1").arg(mark.unit), {}, {}};
         };
         marks.forget(QFont());
     }
@@ -125,7 +125,7 @@ class PlotMarksTest : public testing::Test {
                           {QStringLiteral("Second, V"), QStringLiteral("V"), 0, {0, 200}, {}}},
                          {});
         plot.setDescribeMark([](const Mark&) {
-            return std::optional(MarkWords{QStringLiteral("mark"), {}, false});
+            return std::optional(MarkWords{QStringLiteral("mark"), {}, {}});
         });
         plot.setSpan(60s);
         plot.show();

@@ -4,12 +4,15 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
 #include "ui/plot/curve_colours.h"
 #include "ui/plot/plot_scene.h"
+#include "ui/plot/plot_text.h"
 #include "ui/plot/time_plot.h"
 #include "ui/widgets/tokens.h"
 
@@ -33,7 +36,7 @@ class PlotWidgetTest : public testing::Test {
                           {kOther, 1, QStringLiteral("5 second"), QStringLiteral("5"), 1}});
         plot.setDescribeMark([](const Mark& mark) -> std::optional<MarkWords> {
             if (mark.kind == MarkKind::Rearmed) return std::nullopt;
-            return MarkWords{QStringLiteral("mark"), QStringLiteral("a mark"), false};
+            return MarkWords{QStringLiteral("mark"), QStringLiteral("a mark"), {}};
         });
         plot.setSpan(60s);
         plot.show();
@@ -352,6 +355,39 @@ TEST_F(PlotWidgetTest, WithNothingToShowKeysDoNothing) {
     drag({300, 100}, {350, 100});
     goTo(102s);
     EXPECT_TRUE(plot.seen().curves.empty());
+}
+
+/// A gap in a curve means that nothing was heard: nothing else may look like one.
+TEST_F(PlotWidgetTest, ACurveGoesOnBehindTheNameOfItsThreshold) {
+    const QString name = QStringLiteral("5.0 V, locks itself out");
+    plot.setContents({{QStringLiteral("V"), QStringLiteral("V"), 1, {0, 10}, {{5, name}}}},
+                     {{kSignal, 0, QStringLiteral("3 first"), QStringLiteral("3"), 0}});
+    const QImage without = plot.picture().toImage();
+    const QRect rect = plot.scene().geometry().areas[0];
+    constexpr int kAboveLine = 6;
+    const double step = 10.0 / rect.height();
+    for (Duration time = 30s; time < 100s; time += 100ms)
+        add(kSignal, time, static_cast<float>(5 + kAboveLine * step));
+    drawAll();
+    const QImage with = plot.picture().toImage();
+    const auto shows = [&](int x) {
+        for (int y = rect.center().y() - 2 * kAboveLine; y < rect.center().y(); ++y) {
+            const QColor before = without.pixelColor(x, y);
+            const QColor after = with.pixelColor(x, y);
+            if (std::abs(before.red() - after.red()) + std::abs(before.green() - after.green()) > 40)
+                return true;
+        }
+        return false;
+    };
+    constexpr int kNameLeft = 8;
+    const int end = rect.left() + kNameLeft + textWidth(plotFonts().text, name, 0);
+    int hidden = 0;
+    int longest = 0;
+    for (int x = rect.left(); x < end; ++x) {
+        hidden = shows(x) ? 0 : hidden + 1;
+        longest = std::max(longest, hidden);
+    }
+    EXPECT_LE(longest, 2) << "pixels in a row, of " << end - rect.left();
 }
 
 }  // namespace

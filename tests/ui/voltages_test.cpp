@@ -11,6 +11,7 @@
 #include <QTest>
 #include <set>
 
+#include "core/thunderbots/wire/faults.h"
 #include "tests/ui/bench_rig.h"
 #include "ui/plot/time_plot.h"
 #include "ui/thunderbots/voltages_contents.h"
@@ -239,7 +240,21 @@ TEST(VoltagesContents, MarksOfOtherRobotsAreLeftOut) {
     EXPECT_FALSE(ui::markWords(kick, maskOf(4)));
     const Mark stop{TimePoint(1s), MarkKind::Stop, kNoUnit, 1};
     ASSERT_TRUE(ui::markWords(stop, 0));
-    EXPECT_TRUE(ui::markWords(stop, 0)->danger);
+    EXPECT_EQ(ui::markWords(stop, 0)->tone, ui::MarkTone::Danger);
+}
+
+TEST(VoltagesContents, AFaultIsMarkedForTheRobotThatItNamesAndIsNoDanger) {
+    const Mark ofRobot{TimePoint(1s), MarkKind::DeviceError, kNoUnit, 44};
+    const wire::Fault fault = wire::dongleFault(44);
+    ASSERT_EQ(fault.subject, wire::FaultSubject::Robot);
+    EXPECT_FALSE(ui::markWords(ofRobot, kAllRobots & ~maskOf(fault.index)));
+    const auto words = ui::markWords(ofRobot, maskOf(fault.index));
+    ASSERT_TRUE(words);
+    EXPECT_EQ(words->label, QStringLiteral("robot %1: fault 44").arg(fault.index));
+    EXPECT_EQ(words->tone, ui::MarkTone::Warning);
+    const auto ofNone = ui::markWords({TimePoint(1s), MarkKind::DeviceError, kNoUnit, 0}, maskOf(5));
+    ASSERT_TRUE(ofNone);
+    EXPECT_EQ(ofNone->label, QStringLiteral("fault 0"));
 }
 
 TEST(VoltagesContents, EveryKindOfMarkHasWords) {

@@ -45,6 +45,18 @@ class PictureOfLook {
     std::array<QPixmap, kLooks> pictures_;
 };
 
+QColor inkOf(MarkTone tone, const Tokens& t) {
+    switch (tone) {
+        case MarkTone::Plain:
+            return t.text;
+        case MarkTone::Warning:
+            return t.warn;
+        case MarkTone::Danger:
+            return t.danger;
+    }
+    return t.text;
+}
+
 QString triggerLabel() {
     return MarkText::tr("trigger");
 }
@@ -77,8 +89,8 @@ void MarkPainter::collect(const DescribedMarks& marks) {
     for (const DescribedMarks::Item* item : seen) {
         const int look = lookOf(item->mark.kind);
         lane_.push_back({std::floor(geometry_.xOf(state_.view, item->mark.time)), item->width, look,
-                         item->words.danger, unitBit(item->mark.unit)});
-        told_.push_back({item, look, item->words.danger ? t_.danger : t_.text});
+                         item->words.tone != MarkTone::Plain, unitBit(item->mark.unit)});
+        told_.push_back({item, look, inkOf(item->words.tone, t_)});
     }
 }
 

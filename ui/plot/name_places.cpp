@@ -21,10 +21,14 @@ bool movePast(QRectF& rect, const std::vector<QRectF>& taken, double end) {
     return rect.right() <= end;
 }
 
+bool crosses(const QRectF& rect, const NamedLine& line) {
+    return line.y > rect.top() && line.y < rect.bottom();
+}
+
 }  // namespace
 
 std::vector<std::optional<QRectF>> placeNames(const std::vector<NamedLine>& lines, double height,
-                                              const QRectF& area, std::vector<QRectF> taken) {
+                                              const QRectF& area, const std::vector<QRectF>& taken) {
     std::vector<std::optional<QRectF>> places;
     places.reserve(lines.size());
     for (const NamedLine& line : lines) {
@@ -33,8 +37,13 @@ std::vector<std::optional<QRectF>> placeNames(const std::vector<NamedLine>& line
             QRectF rect(area.left(), top, line.width, height);
             if (top < area.top() || rect.bottom() > area.bottom()) continue;
             if (!movePast(rect, taken, area.center().x())) continue;
+            const bool isCrossed = std::any_of(
+                lines.begin(), lines.end(), [&rect](const NamedLine& other) { return crosses(rect, other); });
+            const bool isNamed = std::any_of(places.begin(), places.end(), [&rect](const auto& other) {
+                return other && other->intersects(rect);
+            });
+            if (isCrossed || isNamed) continue;
             place = rect;
-            taken.push_back(rect);
             break;
         }
         places.push_back(place);

@@ -24,7 +24,8 @@ struct PlotArea {
     QString unit;
     int decimals = 1;
     ValueRange usual;  ///< Shown until a person zooms; wider while values lie outside.
-    std::vector<PlotThreshold> thresholds;
+    std::vector<PlotThreshold>
+        thresholds;  ///< From the most important on: where names collide, it keeps its own.
 };
 
 /// One quantity over time.
@@ -36,11 +37,18 @@ struct PlotCurve {
     int colour = 0;
 };
 
+/// How loud a mark is. One that is not plain keeps its word where room is short.
+enum class MarkTone {
+    Plain,
+    Warning,  ///< Wants attention.
+    Danger,   ///< STOP and what failed.
+};
+
 /// A mark of the time axis in words.
 struct MarkWords {
     QString label;  ///< Beside its line, short.
     QString words;  ///< On hover, with all that is known.
-    bool danger = false;
+    MarkTone tone = MarkTone::Plain;
 };
 /// Nothing for a mark that is not shown.
 using DescribeMark = std::function<std::optional<MarkWords>(const Mark&)>;

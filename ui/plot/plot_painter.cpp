@@ -69,8 +69,8 @@ void PlotPainter::paintOver(QPainter& painter) const {
 void PlotPainter::paintNames(QPainter& painter, std::size_t area) const {
     const ShownArea& shown = state_.areas[area];
     const QRect& rect = geometry_.areas[area];
-    std::vector<QRectF> taken{paintTitle(painter, area), paintTriggerName(painter, area)};
-    const TextLook look{t_.muted, t_.surface, 2, kNameHeight};
+    const std::vector<QRectF> taken{paintTitle(painter, area), paintTriggerName(painter, area)};
+    const TextLook look{t_.muted, t_.surface, 2, kNameHeight, TextGround::Halo};
     painter.setFont(fonts_.text);
     std::vector<NamedLine> lines;
     std::vector<const QString*> names;
@@ -81,14 +81,14 @@ void PlotPainter::paintNames(QPainter& painter, std::size_t area) const {
         names.push_back(&threshold.label);
     }
     const QRectF room = QRectF(rect).adjusted(kTitleLeft - look.padding, 0, 0, 0);
-    const auto places = placeNames(lines, kNameHeight, room, std::move(taken));
+    const auto places = placeNames(lines, kNameHeight, room, taken);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (places[i]) drawText(painter, places[i]->topLeft(), *names[i], look);
     }
 }
 
 QRectF PlotPainter::paintTitle(QPainter& painter, std::size_t area) const {
-    const TextLook look{t_.text, t_.surface, 2, kNameHeight};
+    const TextLook look{t_.text, t_.surface, 2, kNameHeight, TextGround::Halo};
     const QString& title = state_.areas[area].area.title;
     const QPointF at = geometry_.areas[area].topLeft() + QPointF(kTitleLeft - look.padding, 1);
     painter.setFont(fonts_.strong);
@@ -115,7 +115,7 @@ QRectF PlotPainter::paintTriggerName(QPainter& painter, std::size_t area) const 
     const bool rising = state_.trigger->edge == Edge::Rising;
     const QString text = PlotText::tr("trigger %1 %2")
                              .arg(curve->tag, rising ? QStringLiteral("\u2191") : QStringLiteral("\u2193"));
-    const TextLook look{t_.accent, t_.surface, 2, kNameHeight};
+    const TextLook look{t_.accent, t_.surface, 2, kNameHeight, TextGround::Halo};
     const int width = textWidth(fonts_.text, text, look.padding);
     const double above = *y - 0.5 - kNameHeight;
     const QPointF at(rect.right() - width - 2, above < rect.top() ? *y + 1.5 : above);

@@ -16,12 +16,19 @@ struct PlotFonts {
 };
 PlotFonts plotFonts();
 
+/// What is behind a text.
+enum class TextGround {
+    Plate,  ///< Nothing is seen behind it.
+    Halo,   ///< A thin rim around the letters, through which a curve still shows: it has no gap there.
+};
+
 /// What a text is drawn with.
 struct TextLook {
     QColor ink;
     QColor ground;
     int padding = 2;  ///< On either side.
     int height = 13;
+    TextGround kind = TextGround::Plate;
 };
 
 /// How wide a text is with its padding on either side.

@@ -118,16 +118,18 @@ std::optional<MarkWords> PlotsPanel::wordsOf(const Mark& mark) const {
         case MarkKind::Stop:
             return MarkWords{
                 tr("STOP"),
-                tr("STOP: %1").arg(describe(static_cast<StopReason>(static_cast<int>(mark.value)))), true};
+                tr("STOP: %1").arg(describe(static_cast<StopReason>(static_cast<int>(mark.value)))),
+                MarkTone::Danger};
         case MarkKind::Rearmed:
             return MarkWords{tr("re-armed"), tr("Re-armed after STOP")};
         case MarkKind::UnitHeard:
             return MarkWords{tr("%1 found").arg(title), tr("%1 was found").arg(title)};
         case MarkKind::UnitLost:
-            return MarkWords{tr("%1 lost").arg(title), tr("%1 was lost").arg(title), true};
+            return MarkWords{tr("%1 lost").arg(title), tr("%1 was lost").arg(title), MarkTone::Danger};
         case MarkKind::DeviceError:
             return MarkWords{tr("%1 error").arg(title),
-                             tr("%1 reported error %2").arg(title).arg(static_cast<int>(mark.value)), true};
+                             tr("%1 reported error %2").arg(title).arg(static_cast<int>(mark.value)),
+                             MarkTone::Danger};
         default:
             return std::nullopt;
     }

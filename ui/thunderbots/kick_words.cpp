@@ -41,7 +41,7 @@ QString stageText(SweepStage stage) {
     return {};
 }
 
-/// "not charged" reads as safe to touch: it is kept for what is.
+/// "not charged" reads as safe to touch: it is not said of what is live.
 QString chargeWord(const Readings& readings, bool charger) {
     if (readings.charged) return Words::tr("charged");
     if (readings.capacitor_V < wire::kCapacitorLive_V) return Words::tr("not charged");

@@ -41,16 +41,16 @@ PlotThreshold threshold(double value, Signal signal, const QString& meaning) {
             Words::tr("%1 %2 \u00b7 %3").arg(value, 0, 'f', decimals).arg(signalUnit(signal), meaning)};
 }
 
-/// From the highest down.
+/// From the one that matters most on.
 std::vector<PlotThreshold> thresholdsOf(Signal signal) {
     switch (signal) {
         case Signal::Battery_V:
-            return {threshold(wire::kBatteryLow_V, signal, Words::tr("low")),
+            return {threshold(wire::kBatteryLockOut_V, signal, Words::tr("locks itself out")),
                     threshold(wire::kBatteryEmpty_V, signal, Words::tr("at its end")),
-                    threshold(wire::kBatteryLockOut_V, signal, Words::tr("locks itself out"))};
+                    threshold(wire::kBatteryLow_V, signal, Words::tr("low"))};
         case Signal::Capacitor_V:
-            return {threshold(wire::kCapacitorCharged_V, signal, Words::tr("charged")),
-                    threshold(wire::kCapacitorLive_V, signal, Words::tr("live"))};
+            return {threshold(wire::kCapacitorLive_V, signal, Words::tr("live")),
+                    threshold(wire::kCapacitorCharged_V, signal, Words::tr("charged"))};
         case Signal::Dribbler_C:
             return {threshold(wire::dribbler_C(wire::kThermistorHighest_adc), signal,
                               Words::tr("dribbler switches itself off"))};
@@ -88,6 +88,15 @@ double readingOf(const Readings& readings, Signal signal) {
     return 0;
 }
 
+/// The robot that a mark concerns, also where only the dongle's code says it.
+int robotOf(const Mark& mark) {
+    if (mark.kind == MarkKind::DeviceError) {
+        const wire::Fault fault = wire::dongleFault(static_cast<std::uint8_t>(mark.value));
+        if (fault.subject == wire::FaultSubject::Robot) return fault.index;
+    }
+    return mark.unit == kNoUnit ? -1 : mark.unit;
+}
+
 MarkWords wordsOf(const Mark& mark, const QString& robot) {
     switch (mark.kind) {
         case MarkKind::Kick: {
@@ -101,24 +110,26 @@ MarkWords wordsOf(const Mark& mark, const QString& robot) {
             return {Words::tr("autokick"), Words::tr("%1 kicked by itself").arg(robot)};
         case MarkKind::DeviceError: {
             const auto code = static_cast<std::uint8_t>(mark.value);
-            return {Words::tr("fault %1").arg(code),
-                    Words::tr("Dongle error %1: %2").arg(code).arg(faultText(wire::dongleFault(code))), true};
+            const QString label = Words::tr("fault %1").arg(code);
+            return {robot.isEmpty() ? label : Words::tr("robot %1: %2").arg(robotOf(mark)).arg(label),
+                    Words::tr("Dongle error %1: %2").arg(code).arg(faultText(wire::dongleFault(code))),
+                    MarkTone::Warning};
         }
         case MarkKind::Stop: {
             const auto reason = static_cast<StopReason>(static_cast<int>(mark.value));
-            return {Words::tr("STOP"), Words::tr("STOP: %1").arg(describe(reason)), true};
+            return {Words::tr("STOP"), Words::tr("STOP: %1").arg(describe(reason)), MarkTone::Danger};
         }
         case MarkKind::Rearmed:
             return {Words::tr("re-armed"), Words::tr("Re-armed after STOP")};
         case MarkKind::LinkUp:
             return {Words::tr("connected"), Words::tr("The link runs")};
         case MarkKind::LinkDown:
-            return {Words::tr("link lost"), Words::tr("The link was lost or closed"), true};
+            return {Words::tr("link lost"), Words::tr("The link was lost or closed"), MarkTone::Danger};
         case MarkKind::UnitHeard:
             return {Words::tr("robot %1 heard").arg(mark.unit), Words::tr("%1 is heard").arg(robot)};
         case MarkKind::UnitLost:
             return {Words::tr("robot %1 lost").arg(mark.unit),
-                    Words::tr("%1 is not heard any more").arg(robot), true};
+                    Words::tr("%1 is not heard any more").arg(robot), MarkTone::Danger};
     }
     return {};
 }
@@ -175,9 +186,10 @@ VoltagesContents voltagesContents(RobotMask robots, SignalMask wanted) {
 }
 
 std::optional<MarkWords> markWords(const Mark& mark, RobotMask robots) {
-    if (mark.unit == kNoUnit) return wordsOf(mark, {});
-    if (mark.unit >= kRobots || !contains(robots, mark.unit)) return std::nullopt;
-    return wordsOf(mark, Words::tr("Robot %1").arg(mark.unit));
+    const int robot = robotOf(mark);
+    if (robot < 0) return wordsOf(mark, {});
+    if (robot >= kRobots || !contains(robots, robot)) return std::nullopt;
+    return wordsOf(mark, Words::tr("Robot %1").arg(robot));
 }
 
 QString marksText(const MarkCount& marks) {

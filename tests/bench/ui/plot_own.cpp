@@ -36,8 +36,8 @@ class OwnPlot final : public PlotSubject {
         plot_->setContents(areas, std::move(curves));
         plot_->setSpan(kSpan);
         plot_->setDescribeMark([](const Mark& mark) {
-            const bool danger = mark.kind == MarkKind::Stop;
-            return std::optional(ui::MarkWords{QStringLiteral("mark %1").arg(mark.unit), {}, danger});
+            const auto tone = mark.kind == MarkKind::Stop ? ui::MarkTone::Danger : ui::MarkTone::Plain;
+            return std::optional(ui::MarkWords{QStringLiteral("mark %1").arg(mark.unit), {}, tone});
         });
         parent->layout()->addWidget(plot_);
     }
