@@ -183,6 +183,28 @@ TEST_F(LayoutTest, ALargerWindowLeavesTheTilesAsWideAsTheyWere) {
         << tiles << " became " << robots->width();
 }
 
+TEST_F(LayoutTest, AfterAStopEveryPanelIsAsHighAsBefore) {
+    ASSERT_TRUE(resizeTo({1280, 800}));
+    std::map<const ui::PanelDock*, QSize> before;
+    for (const ui::PanelDock* dock : rig.window().workbench().docks()) {
+        if (!dock->isHidden() && dock->geometry().right() >= 0) before[dock] = dock->size();
+    }
+    ASSERT_GT(before.size(), 4U);
+    for (int time = 0; time < 3; ++time) {
+        rig.client().stop(StopReason::Person);
+        ASSERT_TRUE(rig.waitForStop());
+        ASSERT_TRUE(
+            waitUntil([this] { return rig.find<QWidget>(QStringLiteral("stoppedBanner"))->isVisible(); }));
+        ASSERT_TRUE(rig.settle());
+        ASSERT_TRUE(rig.rearm());
+        for (const auto& [dock, was] : before) {
+            EXPECT_TRUE(waitUntil([dock = dock, was = was] { return dock->size() == was; }))
+                << dock->objectName().toStdString() << " is " << dock->height() << " high and was "
+                << was.height();
+        }
+    }
+}
+
 TEST_F(LayoutTest, TheNextWindowsPanelsAreAsLargeAsTheyWereLeft) {
     ASSERT_TRUE(resizeTo({1440, 1000}));
     ui::Workbench& bench = rig.window().workbench();

@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QStyle>
 #include <QTimer>
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -30,6 +31,8 @@ constexpr int kAsideWidth = 276;
 constexpr int kLeastEventsHeight = 116;
 /// A low window shows something of all panels.
 constexpr double kMostWorkShare = 0.6;
+/// For the banners that there are, and a window that is made larger and smaller again.
+constexpr std::size_t kMostEarlierRows = 4;
 /// Of what is left under the work panels.
 constexpr double kBottomShare = 0.33;
 
@@ -109,10 +112,10 @@ void Workbench::addPanel(const PanelEntry& entry, const SystemView* owner) {
     connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
         if (visible && shown_) dock->panel();
     });
-    if (entry.place == PanelPlace::Side) dock->installEventFilter(this);
     docks_.push_back(dock);
     places_.push_back(entry.place);
     owners_.push_back(owner);
+    dock->installEventFilter(this);
 }
 
 QList<QDockWidget*> Workbench::docksAt(PanelPlace place) const {
@@ -204,7 +207,8 @@ void Workbench::showEvent(QShowEvent* event) {
         sideWidth_ = bench_.settings().value(kSideSetting).toInt();
         keepSideWidth();
     }
-    fittedWidth_ = width();
+    fitted_ = size();
+    rows_ = rowsNow();
     // The others can wait until there is something to look at.
     connect(new FirstPaint(*this), &FirstPaint::painted, this, &Workbench::makeNextPanelSoon);
 }
@@ -212,7 +216,9 @@ void Workbench::showEvent(QShowEvent* event) {
 void Workbench::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     keepSideWidth();
-    fittedWidth_ = width();
+    keepRows();
+    fitted_ = size();
+    rows_ = rowsNow();
 }
 
 /// A larger window is for the work, not for wider tiles.
@@ -230,10 +236,49 @@ void Workbench::keepSideWidth() {
     if (rest > 0) resizeDocks({side.front(), bottom.front()}, {sideWidth_, rest}, Qt::Horizontal);
 }
 
+/// A banner that comes and goes takes height and gives it back: every row is then as high as it was.
+void Workbench::keepRows() {
+    if (height() == fitted_.height() || rows_.docks.isEmpty()) return;
+    const auto isOf = [](int height) { return [height](const Rows& rows) { return rows.height == height; }; };
+    std::erase_if(earlierRows_, isOf(rows_.height));
+    earlierRows_.push_back(rows_);
+    if (earlierRows_.size() > kMostEarlierRows) earlierRows_.erase(earlierRows_.begin());
+    const auto same = std::find_if(earlierRows_.begin(), earlierRows_.end(), isOf(height()));
+    if (same != earlierRows_.end()) resizeDocks(same->docks, same->heights, Qt::Vertical);
+}
+
+Workbench::Rows Workbench::rowsNow() const {
+    const int gap = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+    Rows rows{height(), {}, {}};
+    // A row is as high as its panel with the tabs above it.
+    int top = contentsRect().top();
+    for (const PanelPlace place : {PanelPlace::Work, PanelPlace::Below, PanelPlace::Bottom}) {
+        for (QDockWidget* dock : docksAt(place)) {
+            if (dock->isHidden() || dock->isFloating() || dock->geometry().right() < 0) continue;
+            const int bottom = dock->geometry().bottom() + 1;
+            // A person has put it somewhere else.
+            if (bottom <= top || dockWidgetArea(dock) != Qt::RightDockWidgetArea) return {};
+            rows.docks.append(dock);
+            rows.heights.append(bottom - top);
+            top = bottom + gap;
+            break;
+        }
+    }
+    return rows;
+}
+
 bool Workbench::eventFilter(QObject* watched, QEvent* event) {
     // What the layout does while the window changes its size is not what a person wanted.
-    if (event->type() == QEvent::Resize && shown_ && width() == fittedWidth_)
-        sideWidth_ = static_cast<QWidget*>(watched)->width();
+    if (event->type() != QEvent::Resize || !shown_) return QMainWindow::eventFilter(watched, event);
+    if (width() == fitted_.width()) {
+        const auto at =
+            static_cast<std::size_t>(std::find(docks_.begin(), docks_.end(), watched) - docks_.begin());
+        if (places_[at] == PanelPlace::Side) sideWidth_ = docks_[at]->width();
+    }
+    if (size() == fitted_) {
+        rows_ = rowsNow();
+        if (QApplication::mouseButtons() != Qt::NoButton) earlierRows_.clear();
+    }
     return QMainWindow::eventFilter(watched, event);
 }
 

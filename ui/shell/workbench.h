@@ -34,6 +34,13 @@ class Workbench final : public QMainWindow {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    /// How high the rows of the middle are, each by one of its panels, in a bench of some height.
+    struct Rows {
+        int height = 0;
+        QList<QDockWidget*> docks;
+        QList<int> heights;
+    };
+
     void addPanels();
     /// `owner`: the system that the panel is of; null for the window's own.
     void addPanel(const PanelEntry& entry, const SystemView* owner = nullptr);
@@ -42,6 +49,8 @@ class Workbench final : public QMainWindow {
     void placePanels();
     void sizePanels();
     void keepSideWidth();
+    void keepRows();
+    Rows rowsNow() const;
     void raiseFirst();
     void go(const QString& panel, const QString& detail);
     void followFocus(QWidget* focused);
@@ -59,10 +68,12 @@ class Workbench final : public QMainWindow {
     const SystemView* shownSystem_ = nullptr;
     PanelDock* simulated_ = nullptr;  ///< There only for simulated links.
     PanelDock* current_ = nullptr;
-    int sideWidth_ = 0;    ///< As a person left it; 0 before that is known.
-    int fittedWidth_ = 0;  ///< That the panels were laid out for.
-    bool sized_ = false;   ///< Sizes are those that a person left.
-    bool shown_ = false;   ///< The window has been there.
+    int sideWidth_ = 0;              ///< As a person left it; 0 before that is known.
+    QSize fitted_;                   ///< That the panels were laid out for.
+    Rows rows_;                      ///< In that size.
+    std::vector<Rows> earlierRows_;  ///< In other sizes, the newest last.
+    bool sized_ = false;             ///< Sizes are those that a person left.
+    bool shown_ = false;             ///< The window has been there.
 };
 
 }  // namespace kickstand::ui
