@@ -69,6 +69,16 @@ TEST_F(ShortcutsTest, F1BringsTheHelpOfThePanelWhoseTabWasClicked) {
     EXPECT_EQ(helpShows(), QStringLiteral("Checks"));
 }
 
+TEST_F(ShortcutsTest, F1BringsTheHelpOfThePanelInFrontWhoseTabWasClicked) {
+    clickTab(QStringLiteral("Checks"));
+    ASSERT_TRUE(waitUntil([this] { return isInFront(dock("checks")); }));
+    rig.clickRobot(3);
+    rig.find<QWidget>(QStringLiteral("robot3"))->setFocus();
+    ASSERT_EQ(rig.window().workbench().currentDock(), dock("robots"));
+    clickTab(QStringLiteral("Checks"));
+    EXPECT_EQ(helpShows(), QStringLiteral("Checks"));
+}
+
 TEST_F(ShortcutsTest, F1BringsTheHelpOfThePanelThatWasClickedBesideItsControls) {
     rig.clickRobot(3);
     QWidget* header = dock("events")->titleBarWidget();

@@ -2,9 +2,11 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QChildEvent>
 #include <QLayout>
 #include <QSettings>
 #include <QStyle>
+#include <QTabBar>
 #include <QTimer>
 #include <algorithm>
 #include <initializer_list>
@@ -210,7 +212,10 @@ void Workbench::showEvent(QShowEvent* event) {
     fitted_ = size();
     rows_ = rowsNow();
     // The others can wait until there is something to look at.
-    connect(new FirstPaint(*this), &FirstPaint::painted, this, &Workbench::makeNextPanelSoon);
+    connect(new FirstPaint(*this), &FirstPaint::painted, this, [this] {
+        bringFloatingForward();
+        makeNextPanelSoon();
+    });
 }
 
 void Workbench::resizeEvent(QResizeEvent* event) {
@@ -309,8 +314,32 @@ void Workbench::makePanels() {
         dock->panel();
 }
 
+/// What floats was shown before this window was: a window manager that did not know yet whose it is leaves it
+/// behind.
+void Workbench::bringFloatingForward() {
+    for (PanelDock* dock : docks_) {
+        if (!dock->isFloating() || dock->isHidden()) continue;
+        dock->hide();
+        dock->show();
+    }
+}
+
 PanelDock* Workbench::currentDock() const {
     return current_ == nullptr || current_->visibleRegion().isEmpty() ? nullptr : current_;
+}
+
+void Workbench::childEvent(QChildEvent* event) {
+    QMainWindow::childEvent(event);
+    auto* tabs = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
+    if (tabs == nullptr) return;
+    // The tab that is in front already can be meant as well, and is not activated by a click.
+    connect(tabs, &QTabBar::tabBarClicked, this, [this, tabs](int tab) { followTab(tabs->tabText(tab)); });
+}
+
+void Workbench::followTab(const QString& title) {
+    for (PanelDock* dock : docks_) {
+        if (!dock->isHidden() && dock->windowTitle() == title) current_ = dock;
+    }
 }
 
 void Workbench::followFocus(QWidget* focused) {

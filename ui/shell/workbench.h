@@ -32,6 +32,7 @@ class Workbench final : public QMainWindow {
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void childEvent(QChildEvent* event) override;
 
   private:
     /// How high the rows of the middle are, each by one of its panels, in a bench of some height.
@@ -54,6 +55,8 @@ class Workbench final : public QMainWindow {
     void raiseFirst();
     void go(const QString& panel, const QString& detail);
     void followFocus(QWidget* focused);
+    void followTab(const QString& title);
+    void bringFloatingForward();
     void followSession();
     void makeFrontPanels();
     void makeNextPanel();
