@@ -4628,6 +4628,13 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
 </context>
 <context>
+    <name>RemedyText</name>
+    <message>
+        <source>%1 copy the command.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>RobotTile</name>
     <message>
         <source>braked</source>
@@ -6462,6 +6469,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>%1 cannot be read: %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, units (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kickstand::ui::CoachPanel</name>
@@ -7000,6 +7011,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
     </message>
     <message>
         <source>Not heard: %1. Switch it on, or choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The dongle or cable is not there. Plug it in.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

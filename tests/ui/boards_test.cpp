@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -39,6 +40,23 @@ TEST_F(BoardsTest, ListsEveryBoardWithItsKindPlaceLatencyAndStanding) {
     EXPECT_EQ(kinds, (std::set<QString>{QStringLiteral("PolarBear"), QStringLiteral("BatteryBuzzer"),
                                         QStringLiteral("Encoder")}));
     EXPECT_TRUE(text(QStringLiteral("boardsRemedy")).isEmpty());
+}
+
+TEST_F(BoardsTest, TheConnectMenuKeepsHardwareApartFromWhatIsSimulated) {
+    connectTo("PolarBear");
+    auto* menu = find<QMenu>(QStringLiteral("connectMenu"));
+    menu->popup(QPoint(0, 0));
+    QString section;
+    QString hardware;
+    QString simulated;
+    for (const QAction* action : menu->actions()) {
+        if (action->isSeparator()) section = action->text();
+        if (action->text() == QStringLiteral("Smart devices on USB")) hardware = section;
+        if (action->text() == QStringLiteral("Six simulated smart devices")) simulated = section;
+    }
+    menu->close();
+    EXPECT_EQ(hardware, QStringLiteral("Hardware to look for"));
+    EXPECT_EQ(simulated, QStringLiteral("Simulated"));
 }
 
 TEST_F(BoardsTest, ASliderWritesItsParameterAndShowsWhatTheBoardHas) {

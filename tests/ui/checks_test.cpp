@@ -12,6 +12,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "core/thunderbots/commands.h"
 #include "tests/ui/bench_rig.h"
@@ -165,6 +166,22 @@ void accept(QFileDialog* dialog, const QString& path) {
         << "STOP keys have to reach the program";
     dialog->selectFile(path);
     QMetaObject::invokeMethod(dialog, "accept");
+}
+
+TEST_F(ChecksTest, TheWheelsSpeedIsToldInTurnsToo) {
+    const auto* field = rig.find<ui::SignedSpinBox>(QStringLiteral("checks_wheel_speed"));
+    const auto label = [field] {
+        const QList<QLabel*> labels = field->parentWidget()->findChildren<QLabel*>();
+        return *std::ranges::find_if(labels, [field](const QLabel* one) { return one->buddy() == field; });
+    };
+    set("checks_wheel_speed", 100);
+    const QString before = label()->text();
+    EXPECT_TRUE(before.endsWith(QStringLiteral(" rpm)"))) << before.toStdString();
+    EXPECT_TRUE(waitUntil([&] { return label()->width() >= label()->sizeHint().width(); }));
+    EXPECT_LE(field->mapTo(field->window(), QPoint(field->width(), 0)).x(),
+              button("checksStop")->mapTo(field->window(), QPoint(button("checksStop")->width(), 0)).x());
+    set("checks_wheel_speed", 30);
+    EXPECT_NE(label()->text(), before);
 }
 
 TEST_F(ChecksTest, LimitsGoToAFileAndComeBackFromIt) {

@@ -231,6 +231,18 @@ TEST_F(PadTest, AfterStopAStickThatIsStillHeldCountsForNothing) {
     EXPECT_TRUE(says().contains(QStringLiteral("Let go of both sticks"))) << says().toStdString();
 }
 
+TEST_F(PadTest, OfSeveralReasonsNotToDriveTheOneThatCanBeMendedFirstIsSaid) {
+    const auto reason = [this] { return control->reasonNotToDrive(); };
+    rig.simulate("e-stop", -1, 2);
+    ASSERT_TRUE(rig.waitForStop());
+    ASSERT_TRUE(rig.settle());
+    EXPECT_TRUE(reason().contains(QStringLiteral("Turn it to run"))) << reason().toStdString();
+    rig.simulate("e-stop", -1, 3);
+    EXPECT_TRUE(waitUntil([&] { return reason().contains(QStringLiteral("Re-arm")); }));
+    rig.simulate("plugged", -1, 0);
+    EXPECT_TRUE(waitUntil([&] { return reason().contains(QStringLiteral("Plug it in")); }));
+}
+
 TEST_F(PadTest, TheDribblerIsSwitchedByItsButton) {
     hold(kDribblerButton, true);
     ASSERT_TRUE(rig.waitForBlock(3, [](const DriveBlock& block) { return block.dribble; }));

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "core/engine/describe_findings.h"
+#include "ui/shell/remedy_text.h"
 #include "ui/widgets/state_label.h"
 #include "ui/widgets/tokens.h"
 
@@ -79,7 +80,7 @@ void DoctorRow::showFinding(const Finding& finding) {
     state_->setState(toneOf(finding.state), describe(finding.state));
     check_->setText(check);
     what_->setText(words.what);
-    remedy_->setText(words.remedy);
+    remedy_->setText(remedyBesideCopy(words));
     remedy_->setVisible(!words.remedy.isEmpty());
     command_ = words.remedyCommand;
     copy_->setVisible(!command_.isEmpty());

@@ -22,6 +22,7 @@
 #include "ui/shell/focus_guard.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/live_warning.h"
+#include "ui/shell/remedy_text.h"
 #include "ui/shell/sim_menu.h"
 #include "ui/shell/start_page.h"
 #include "ui/shell/status_strip.h"
@@ -149,7 +150,7 @@ void MainWindow::refreshProblem() {
     problem_->setVisible(error != nullptr);
     if (error == nullptr) return;
     const Description words = describe(*error);
-    problem_->setText(words.what, words.remedy);
+    problem_->setText(words.what, remedyBesideCopy(words));
     copy_->setVisible(!words.remedyCommand.isEmpty());
     copy_->setToolTip(words.remedyCommand);
     dismiss_->setVisible(standing == nullptr);

@@ -13,6 +13,7 @@
 
 #include "core/engine/describe_check.h"
 #include "core/engine/describe_check_report.h"
+#include "ui/thunderbots/wheel_unit.h"
 #include "ui/widgets/save_file.h"
 #include "ui/widgets/signed_spin_box.h"
 #include "ui/widgets/tokens.h"
@@ -90,6 +91,14 @@ QWidget* ChecksSettingsBox::makeLimits() {
         const QString unit = QString::fromUtf8(info.unit);
         SignedSpinBox* field = makeField(info, box);
         auto* label = new QLabel(unit.isEmpty() ? labelOf(info) : tr("%1, %2").arg(labelOf(info), unit), box);
+        if (info.member == &CheckLimits::wheelSpeed) {
+            const auto follow = [label, &info](int units) {
+                label->setText(
+                    tr("%1, units (%2)").arg(labelOf(info), wheelSpeedText(units, WheelUnit::Rpm)));
+            };
+            follow(field->value());
+            connect(field, &QSpinBox::valueChanged, label, follow);
+        }
         label->setBuddy(field);
         label->setForegroundRole(QPalette::PlaceholderText);
         grid->addWidget(label, row, 0);

@@ -90,6 +90,7 @@ void DriveControl::refresh() {
 
 QString DriveControl::findReason(const Snapshot* snapshot) const {
     if (snapshot == nullptr) return tr("Not connected.");
+    if (snapshot->link == LinkState::Searching) return tr("The dongle or cable is not there. Plug it in.");
     if (snapshot->link != LinkState::Running)
         return tr("The link does not run: %1.").arg(describe(snapshot->link));
     if (snapshot->eStop != wire::EStop::Run) {
