@@ -98,6 +98,8 @@ QWidget* ParametersPanel::makeDraft() {
     // Side by side, so that both are seen in the lowest window.
     auto* words = new QHBoxLayout;
     words->setSpacing(metrics::kPadding);
+    // A notice that comes wraps, and takes no word from what the robot has.
+    state_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     words->addWidget(state_);
     words->addWidget(notice_, 1);
     column->addLayout(words);
