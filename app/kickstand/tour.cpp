@@ -1,5 +1,7 @@
 #include "app/kickstand/tour.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QPixmap>
 #include <chrono>
 #include <cstdio>
@@ -75,6 +77,8 @@ void Tour::takePicture(ui::ThemeChoice theme) {
     // Widgets hear of their new palette from the event loop.
     QTimer::singleShot(0, this, [this, theme] {
         if (over_) return;
+        // Words that have just changed get their room before they are drawn.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         const TourStep& step = steps_[current_];
         const bool dark = theme == ui::ThemeChoice::Dark;
         const QString file = QStringLiteral("%1-%2-%3.png")
