@@ -14,11 +14,21 @@ struct StopWords {
     Q_DECLARE_TR_FUNCTIONS(StopWords)
 };
 
-QString told(const thunderbots::Snapshot& /*snapshot*/, bool linkLost) {
+QString told(const thunderbots::Snapshot& snapshot, bool linkLost) {
     if (linkLost)
         return StopWords::tr(
             "Robots may not have been told: they brake by themselves within 2.2 s. Look before "
             "you reach for them.");
+    QStringList unheard;
+    for (std::size_t robot = 0; robot < snapshot.robots.size(); ++robot) {
+        const thunderbots::RobotState& state = snapshot.robots[robot];
+        if (!state.live && state.feedback) unheard << QString::number(robot);
+    }
+    if (!unheard.isEmpty())
+        return StopWords::
+            tr("Every robot that is heard was told to brake, with its charger, dribbler and autokick off. "
+               "No longer heard, and perhaps not told: %1. Look before you reach for it.")
+                .arg(unheard.join(QStringLiteral(", ")));
     return StopWords::tr(
         "Every robot was told to brake; chargers, dribblers and autokick are off. A kick that "
         "the dongle already held may still have been given.");

@@ -5327,6 +5327,10 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <source>%1 To the duty cycles and speeds of all others zero was written, and they were disabled; positions were left alone.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Every robot that is heard was told to brake, with its charger, dribbler and autokick off. No longer heard, and perhaps not told: %1. Look before you reach for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ThunderbotsView</name>

@@ -50,5 +50,17 @@ TEST(DescribeStop, BoardsThatAreLostOrSilentAndBusyPortsAreNamed) {
     EXPECT_FALSE(text.contains(QStringLiteral("disabled"))) << "nobody was told: " << qPrintable(text);
 }
 
+TEST(StoppedText, ARobotThatIsNoLongerHeardIsNamedAsPerhapsNotTold) {
+    thunderbots::Snapshot robots;
+    robots.robots[3].live = true;
+    robots.robots[3].feedback.emplace();
+    robots.robots[5].feedback.emplace();
+    const QString text = stoppedText(robots, StopReason::RobotLost);
+    EXPECT_TRUE(text.contains(QStringLiteral("perhaps not told: 5."))) << text.toStdString();
+    robots.robots[5].live = true;
+    EXPECT_TRUE(
+        stoppedText(robots, StopReason::RobotLost).startsWith(QStringLiteral("Every robot was told")));
+}
+
 }  // namespace
 }  // namespace kickstand
