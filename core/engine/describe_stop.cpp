@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "core/engine/describe_findings.h"
 #include "core/engine/describe_motionplan.h"
 #include "core/motionplan/exchange.h"
 
@@ -19,19 +20,19 @@ QString told(const thunderbots::Snapshot& snapshot, bool linkLost) {
         return StopWords::tr(
             "Robots may not have been told: they brake by themselves within 2.2 s. Look before "
             "you reach for them.");
-    QStringList unheard;
-    for (std::size_t robot = 0; robot < snapshot.robots.size(); ++robot) {
-        const thunderbots::RobotState& state = snapshot.robots[robot];
-        if (!state.live && state.feedback) unheard << QString::number(robot);
+    thunderbots::RobotMask unheard = 0;
+    for (int robot = 0; robot < thunderbots::kRobots; ++robot) {
+        const thunderbots::RobotState& state = snapshot.robots[static_cast<std::size_t>(robot)];
+        if (!state.live && state.feedback) unheard |= thunderbots::maskOf(robot);
     }
-    if (!unheard.isEmpty())
-        return StopWords::
-            tr("Every robot that is heard was told to brake, with its charger, dribbler and autokick off. "
-               "No longer heard, and perhaps not told: %1. Look before you reach for it.")
-                .arg(unheard.join(QStringLiteral(", ")));
+    const QString kick = StopWords::tr("A kick that the dongle already held may still have been given.");
+    if (unheard == 0)
+        return StopWords::tr("Every robot was told to brake; chargers, dribblers and autokick are off. %1")
+            .arg(kick);
     return StopWords::tr(
-        "Every robot was told to brake; chargers, dribblers and autokick are off. A kick that "
-        "the dongle already held may still have been given.");
+               "Every robot that is heard was told to brake, with its charger, dribbler and autokick off. "
+               "No longer heard, and perhaps not told: %1. Look before you reach for it. %2")
+        .arg(describeRobots(unheard), kick);
 }
 
 QString told(const motionplan::Snapshot& snapshot, bool /*linkLost*/) {

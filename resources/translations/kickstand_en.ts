@@ -5256,10 +5256,6 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Every robot was told to brake; chargers, dribblers and autokick are off. A kick that the dongle already held may still have been given.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The boat may not have been told: its own timer stops it a second after the last velocity that it heard.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5328,7 +5324,15 @@ Example: kickstand --link sim:thunderbots?robots=0-3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Every robot that is heard was told to brake, with its charger, dribbler and autokick off. No longer heard, and perhaps not told: %1. Look before you reach for it.</source>
+        <source>A kick that the dongle already held may still have been given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every robot was told to brake; chargers, dribblers and autokick are off. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every robot that is heard was told to brake, with its charger, dribbler and autokick off. No longer heard, and perhaps not told: %1. Look before you reach for it. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

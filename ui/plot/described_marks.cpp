@@ -8,6 +8,13 @@
 
 namespace kickstand::ui {
 
+namespace {
+
+/// Far more than a plot has room for at once.
+constexpr std::size_t kMostTogether = 512;
+
+}  // namespace
+
 void DescribedMarks::forget(const QFont& font) {
     font_ = font;
     next_ = 0;
@@ -51,6 +58,8 @@ std::vector<const DescribedMarks::Item*> DescribedMarks::between(TimePoint from,
 
 const DescribedMarks::Together& DescribedMarks::together(const PlotState& state, const Item& first,
                                                          const LaneGroup& group) {
+    // Counts change with what is seen: those of views that are gone are asked for again.
+    if (together_.size() >= kMostTogether) together_.clear();
     const MarkCount told{first.mark.kind, group.count, std::popcount(group.units), first.mark.unit};
     const auto [place, isNew] =
         together_.try_emplace({told.kind, told.count, told.units, told.units == 1 ? told.unit : kNoUnit});

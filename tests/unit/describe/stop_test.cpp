@@ -56,7 +56,8 @@ TEST(StoppedText, ARobotThatIsNoLongerHeardIsNamedAsPerhapsNotTold) {
     robots.robots[3].feedback.emplace();
     robots.robots[5].feedback.emplace();
     const QString text = stoppedText(robots, StopReason::RobotLost);
-    EXPECT_TRUE(text.contains(QStringLiteral("perhaps not told: 5."))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("perhaps not told: robot 5."))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("kick that the dongle already held"))) << text.toStdString();
     robots.robots[5].live = true;
     EXPECT_TRUE(
         stoppedText(robots, StopReason::RobotLost).startsWith(QStringLiteral("Every robot was told")));
